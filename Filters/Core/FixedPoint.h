@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+namespace ruc
+{
+/**
+ * Adding 1.5 x 2^52 to a number of magnitude below 2^51 rounds it to a whole number and leaves that number in the low
+ * bits of the sum; unlike std::llrint this vectorises on every instruction set.
+ */
+constexpr double FixedPointRounder = 6755399441055744.0;
+
+/** The whole number nearest to `value`, |value| < 2^51. */
+inline std::int64_t RoundToFixedPoint(double value)
+{
+  const double shifted = value + FixedPointRounder;
+  std::int64_t bits, base;
+  std::memcpy(&bits, &shifted, sizeof(bits));
+  std::memcpy(&base, &FixedPointRounder, sizeof(base));
+  return bits - base;
+}
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ProgressReport.h"
+
+#include "vtkAlgorithm.h"
+
+#include <iostream>
+
+namespace
+{
+constexpr std::chrono::milliseconds UpdateInterval(100);
+constexpr std::chrono::seconds LineInterval(3);
+}
+
+ProgressReport::ProgressReport(vtkAlgorithm* filter, const std::string& name)
+  : Filter(filter)
+  , Name(name)
+  , Start(std::chrono::steady_clock::now())
+  , LastUpdate(Start - UpdateInterval)
+  , LastLine(Start)
+{
+}
+
+double ProgressReport::Seconds() const
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+}
+
+void ProgressReport::Update(double fraction, const std::string& text)
+{
+  const auto now = std::chrono::steady_clock::now();
+  if (now - this->LastUpdate >= UpdateInterval)
+  {
+    this->LastUpdate = now;
+    this->Filter->SetProgressText(text.c_str());
+    this->Filter->UpdateProgress(fraction);
+  }
+  if (now - this->LastLine >= LineInterval)
+  {
+    this->LastLine = now;
+    std::cout << this->Name << ": " << static_cast<int>(this->Seconds()) << " s, " << text << std::endl;
+  }
+}

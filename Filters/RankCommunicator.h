@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Communicator.h"
+
+#include <string>
+
+class vtkMultiProcessController;
+
+/** The ranks of a vtkMultiProcessController; a null controller is a serial run. */
+class RankCommunicator : public ruc::Communicator
+{
+public:
+  explicit RankCommunicator(vtkMultiProcessController* controller)
+    : Controller(controller)
+  {
+  }
+  int Rank() const override;
+  int Size() const override;
+  void Sum(std::int64_t* values, std::size_t count) override;
+  void Share(double* values, std::size_t count) override;
+
+  /**
+   * Collective: throws std::invalid_argument on every rank when `error` is not empty on any, with the text of the lowest rank
+   * that has one. What can fail on one rank alone is agreed on in this way before any rank goes on.
+   */
+  void ThrowIfAny(const std::string& error);
+
+  /** Collective: the text of the lowest rank where it is not empty. */
+  std::string FirstText(const std::string& text);
+
+  vtkMultiProcessController* GetController() const { return this->Controller; }
+
+private:
+  vtkMultiProcessController* Controller;
+};

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRUCPeriodicReplicas.h"
+
+#include "Geometry/PeriodicReplicas.h"
+#include "PackData.h"
+#include "RankCommunicator.h"
+#include "Text.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkClipClosedSurface.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkRUCPeriodicReplicas);
+
+namespace
+{
+struct Copies
+{
+  ruc::SpherePack Pack;
+  std::vector<std::array<int, 3>> Image;
+};
+
+Copies TakeCopies(const Copies& source, const ruc::Window& box, const std::vector<ruc::Replica>& replicas,
+  const std::array<int, 3>& edgesPerImage)
+{
+  Copies copies;
+  for (const ruc::Replica& replica : replicas)
+  {
+    copies.Pack.Append(source.Pack, replica.Original);
+    const ruc::Vector3 centre = ruc::CentreOf(replica, source.Pack, box);
+    copies.Pack.X.back() = centre[0];
+    copies.Pack.Y.back() = centre[1];
+    copies.Pack.Z.back() = centre[2];
+    std::array<int, 3> image = source.Image[replica.Original];
+    for (int q = 0; q < 3; ++q)
+    {
+      image[q] += replica.Image[q] * edgesPerImage[q];
+    }
+    copies.Image.push_back(image);
+  }
+  return copies;
+}
+
+void AddImages(const Copies& copies, vtkPolyData* output)
+{
+  vtkNew<vtkIntArray> images;
+  images->SetName("Image");
+  images->SetNumberOfComponents(3);
+  images->SetNumberOfTuples(static_cast<vtkIdType>(copies.Image.size()));
+  for (std::size_t i = 0; i < copies.Image.size(); ++i)
+  {
+    images->SetTypedTuple(static_cast<vtkIdType>(i), copies.Image[i].data());
+  }
+  output->GetPointData()->AddArray(images);
+}
+
+// The sphere's surface, closed where the box cuts it
+void CutSurface(const ruc::Vector3& centre, double radius, const ruc::Window& box, int resolution, vtkPolyData* surface)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(centre[0], centre[1], centre[2]);
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(resolution);
+  sphere->SetPhiResolution(resolution / 2 + 1);
+  sphere->GenerateNormalsOff(); // they would be wrong on the cut faces
+  vtkNew<vtkPlaneCollection> planes;
+  for (int q = 0; q < 3; ++q)
+  {
+    for (double side : { 1.0, -1.0 }) // the inward normals of the lower and the upper face
+    {
+      const double face = side > 0.0 ? box.Origin[q] : box.Origin[q] + box.Size[q];
+      if (box.Periodic[q] && side * (centre[q] - face) < radius)
+      {
+        double normal[3] = { 0.0, 0.0, 0.0 };
+        double origin[3] = { 0.0, 0.0, 0.0 };
+        normal[q] = side;
+        origin[q] = face;
+        vtkNew<vtkPlane> plane;
+        plane->SetNormal(normal);
+        plane->SetOrigin(origin);
+        planes->AddItem(plane);
+      }
+    }
+  }
+  sphere->Update();
+  if (planes->GetNumberOfItems() == 0)
+  {
+    surface->ShallowCopy(sphere->GetOutput());
+    return;
+  }
+  vtkNew<vtkClipClosedSurface> clip;
+  clip->SetInputConnection(sphere->GetOutputPort());
+  clip->SetClippingPlanes(planes);
+  clip->Update();
+  surface->ShallowCopy(clip->GetOutput());
+}
+
+// `points` are the centres with their arrays; every point of a surface takes those of its centre
+void FillSurfaces(const Copies& copies, vtkPolyData* points, const ruc::Window& box, int resolution, vtkPolyData* output)
+{
+  vtkNew<vtkAppendPolyData> append;
+  for (std::size_t i = 0; i < copies.Pack.Size(); ++i)
+  {
+    vtkNew<vtkPolyData> surface;
+    CutSurface(copies.Pack.Centre(i), copies.Pack.Radius[i], box, resolution, surface);
+    vtkPointData* data = surface->GetPointData();
+    data->Initialize();
+    data->CopyAllocate(points->GetPointData(), surface->GetNumberOfPoints());
+    for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
+    {
+      data->CopyData(points->GetPointData(), static_cast<vtkIdType>(i), p);
+    }
+    append->AddInputData(surface);
+  }
+  if (copies.Pack.Size() > 0)
+  {
+    append->Update();
+    output->ShallowCopy(append->GetOutput());
+  }
+}
+
+// The twelve edges of every tile
+void FillOutline(const ruc::Window& box, const std::array<int, 3>& tiles, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (int z = 0; z < tiles[2]; ++z)
+  {
+    for (int y = 0; y < tiles[1]; ++y)
+    {
+      for (int x = 0; x < tiles[0]; ++x)
+      {
+        const vtkIdType first = points->GetNumberOfPoints();
+        for (int corner = 0; corner < 8; ++corner)
+        {
+          points->InsertNextPoint(box.Origin[0] + (x + (corner & 1)) * box.Size[0],
+            box.Origin[1] + (y + (corner >> 1 & 1)) * box.Size[1], box.Origin[2] + (z + (corner >> 2)) * box.Size[2]);
+        }
+        for (int corner = 0; corner < 8; ++corner)
+        {
+          for (int bit : { 1, 2, 4 })
+          {
+            if (!(corner & bit))
+            {
+              const vtkIdType ends[2] = { first + corner, first + (corner | bit) };
+              lines->InsertNextCell(2, ends);
+            }
+          }
+        }
+      }
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+}
+}
+
+vtkRUCPeriodicReplicas::vtkRUCPeriodicReplicas()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+int vtkRUCPeriodicReplicas::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+void vtkRUCPeriodicReplicas::Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+{
+  constexpr double mostCopies = 1e8;
+  if (this->Mode != BOUNDARY_COPIES && this->Mode != TILING)
+  {
+    throw std::invalid_argument(ruc::Text("Mode requires the value 0 or 1, got ", this->Mode, "."));
+  }
+  if (this->SurfaceResolution < 8 || this->SurfaceResolution > 256)
+  {
+    throw std::invalid_argument(
+      ruc::Text("SurfaceResolution requires 8 <= SurfaceResolution <= 256, got ", this->SurfaceResolution, "."));
+  }
+  PackData::ObservedPack observed = PackData::GatherObservedPack(
+    input, this->GetWindowProperties(), PackData::HasArray(input, "Mode", ranks), ranks);
+  const ruc::Window& box = observed.Observed;
+  if (!box.IsPeriodic())
+  {
+    throw std::invalid_argument(ruc::Text(
+      "A periodic box is required (field data BoxPeriodic, or BoxSize and BoxPeriodic), got a ", box.Describe(), "."));
+  }
+  std::array<int, 3> tiles = { 1, 1, 1 };
+  if (this->Mode == TILING)
+  {
+    std::copy_n(this->Tiles, 3, tiles.begin());
+  }
+  const double copies = double(tiles[0]) * tiles[1] * tiles[2] * observed.Pack.Size();
+  for (int q = 0; q < 3; ++q)
+  {
+    if (tiles[q] < 1 || (tiles[q] > 1 && !box.Periodic[q]) || copies > mostCopies)
+    {
+      throw std::invalid_argument(ruc::Text("Tiles requires numbers >= 1, 1 along axes that are not periodic, and at most ", mostCopies,
+        " copies in all, got ", tiles[0], " ", tiles[1], " ", tiles[2], " for ", observed.Pack.Size(), " spheres."));
+    }
+  }
+
+  ruc::WrapIntoBox(observed.Pack, box);
+  Copies all{ observed.Pack, std::vector<std::array<int, 3>>(observed.Pack.Size(), { 0, 0, 0 }) };
+  if (this->Mode == TILING)
+  {
+    all = TakeCopies(all, box, ruc::Tiling(all.Pack, tiles), { 1, 1, 1 });
+  }
+  const ruc::Window block = ruc::Window::MakeBox(
+    box.Origin, { box.Size[0] * tiles[0], box.Size[1] * tiles[1], box.Size[2] * tiles[2] }, box.Periodic);
+  if (this->Mode == BOUNDARY_COPIES || this->ClipToBox)
+  {
+    all = TakeCopies(all, block, ruc::BoundaryCopies(all.Pack, block), tiles);
+  }
+
+  Copies own;
+  const std::size_t begin = all.Pack.Size() * ranks.Rank() / ranks.Size();
+  const std::size_t end = all.Pack.Size() * (ranks.Rank() + 1) / ranks.Size();
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    own.Pack.Append(all.Pack, i);
+    own.Image.push_back(all.Image[i]);
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  vtkNew<vtkPolyData> points;
+  PackData::FillPolyData(own.Pack, points);
+  AddImages(own, points);
+  if (this->ClipToBox)
+  {
+    FillSurfaces(own, points, block, this->SurfaceResolution, output);
+  }
+  else
+  {
+    output->ShallowCopy(points);
+  }
+  vtkPolyData* outline = vtkPolyData::GetData(outputs, 1);
+  if (ranks.Rank() == 0)
+  {
+    FillOutline(box, tiles, outline);
+  }
+  for (vtkPolyData* data : { output, outline })
+  {
+    PackData::AddField(data, "Method", std::string(this->Mode == TILING ? "Tiling" : "Boundary Copies"));
+    PackData::AddField(data, "Tiles", std::vector<long long>{ tiles[0], tiles[1], tiles[2] });
+    PackData::AddField(data, "NumberOfSpheres", std::vector<long long>{ static_cast<long long>(observed.Pack.Size()) });
+    PackData::AddField(data, "NumberOfCopies", std::vector<long long>{ static_cast<long long>(all.Pack.Size()) });
+    // Copies beyond the box are no pack in it; a whole tiling is one again
+    PackData::AddOrigin(data, observed);
+    if (this->Mode == TILING && !this->ClipToBox)
+    {
+      PackData::AddWindow(data, block);
+    }
+  }
+}
+
+void vtkRUCPeriodicReplicas::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << this->Mode << "\n";
+  os << indent << "Tiles: " << this->Tiles[0] << " " << this->Tiles[1] << " " << this->Tiles[2] << "\n";
+  os << indent << "ClipToBox: " << this->ClipToBox << "\n";
+  os << indent << "SurfaceResolution: " << this->SurfaceResolution << "\n";
+}
