@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Random.h"
+#include "Reconstruction/OverlapRemoval.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+/** A random pack of 600 spheres without overlap in a periodic cube; radius and mode of the i-th as given. */
+inline ruc::SpherePack MakePack(double edge, const std::function<std::pair<double, int>(int)>& sizeOf)
+{
+  ruc::SpherePack pack;
+  for (int i = 0; i < 600; ++i)
+  {
+    const std::array<double, 3> u = ruc::UniformTriple(7, 0, i);
+    pack.X.push_back(edge * u[0]);
+    pack.Y.push_back(edge * u[1]);
+    pack.Z.push_back(edge * u[2]);
+    pack.Radius.push_back(sizeOf(i).first);
+    pack.Mode.push_back(sizeOf(i).second);
+  }
+  ruc::RemoveOverlap(pack, ruc::Window::MakeBox({ 0, 0, 0 }, { edge, edge, edge }, { true, true, true }), 1, [] { return true; });
+  return pack;
+}
+
+/** Those spheres of a pack for which `keep(i)`, with its box as field data. */
+inline vtkSmartPointer<vtkPolyData> MakePolyData(
+  const ruc::SpherePack& pack, double edge, bool periodic, const std::function<bool(std::size_t)>& keep)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> radius;
+  radius->SetName("Radius");
+  vtkNew<vtkIntArray> mode;
+  mode->SetName("Mode");
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    if (keep(i))
+    {
+      points->InsertNextPoint(pack.X[i], pack.Y[i], pack.Z[i]);
+      radius->InsertNextValue(pack.Radius[i]);
+      mode->InsertNextValue(pack.Mode[i]);
+    }
+  }
+  data->SetPoints(points);
+  // A rank without spheres gets a data set without arrays, as ParaView hands it out.
+  if (points->GetNumberOfPoints() > 0)
+  {
+    data->GetPointData()->AddArray(radius);
+    data->GetPointData()->AddArray(mode);
+    for (const char* name : { "BoxSize", "BoxPeriodic" })
+    {
+      vtkNew<vtkDoubleArray> field;
+      field->SetName(name);
+      for (int q = 0; q < 3; ++q)
+      {
+        field->InsertNextValue(name == std::string("BoxSize") ? edge : periodic);
+      }
+      data->GetFieldData()->AddArray(field);
+    }
+  }
+  return data;
+}

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Every filter gives the same bits whatever the number of ranks and threads, and however the pack is spread over the ranks:
+ * each rank compares what all ranks work out together with what it works out alone.
+ */
+#include "Packs.h"
+
+#include "vtkRUCOnePointProbability.h"
+#include "vtkRUCParticleModes.h"
+#include "vtkRUCPeriodicReplicas.h"
+#include "vtkRUCTwoPointProbability.h"
+#include "vtkRUCUnitCellReconstruction.h"
+
+#include "vtkCommunicator.h"
+#include "vtkMPIController.h"
+#include "vtkTable.h"
+
+#include <omp.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace
+{
+int Failures = 0;
+
+void Check(bool good, const std::string& what)
+{
+  if (!good)
+  {
+    ++Failures;
+    std::cerr << "FAILED: " << what << std::endl;
+  }
+}
+
+// All numbers of a data set, array by array
+std::vector<double> Numbers(vtkDataObject* data)
+{
+  std::vector<double> numbers;
+  const auto add = [&](vtkFieldData* fields)
+  {
+    for (int a = 0; fields && a < fields->GetNumberOfArrays(); ++a)
+    {
+      vtkDataArray* array = fields->GetArray(a);
+      for (vtkIdType v = 0; array && v < array->GetNumberOfValues(); ++v)
+      {
+        numbers.push_back(array->GetComponent(v / array->GetNumberOfComponents(), v % array->GetNumberOfComponents()));
+      }
+    }
+  };
+  if (auto* points = vtkPolyData::SafeDownCast(data))
+  {
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      numbers.insert(numbers.end(), points->GetPoint(i), points->GetPoint(i) + 3);
+    }
+    add(points->GetPointData());
+  }
+  else
+  {
+    add(vtkTable::SafeDownCast(data)->GetRowData());
+  }
+  add(data->GetFieldData());
+  return numbers;
+}
+
+bool Same(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return a.size() == b.size() &&
+    std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return x == y || (x != x && y != y); });
+}
+
+// Runs the filter on all ranks with `piece` and on this one alone with `whole`; rank 0 compares every output
+template <class Filter>
+void Compare(vtkMPIController* controller, const std::string& name, vtkPolyData* piece, vtkPolyData* whole,
+  const std::function<void(Filter*)>& configure, bool spreadOutput = false)
+{
+  vtkNew<Filter> together;
+  configure(together);
+  together->SetInputData(piece);
+  together->Update();
+  vtkNew<Filter> alone;
+  configure(alone);
+  alone->SetController(nullptr);
+  alone->SetInputData(whole);
+  alone->Update();
+  for (int port = 0; port < alone->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject* expected = alone->GetOutputDataObject(port);
+    vtkDataObject* got = together->GetOutputDataObject(port);
+    const std::string what = name + ", output " + std::to_string(port);
+    Check(expected->GetNumberOfElements(vtkDataObject::POINT) + expected->GetNumberOfElements(vtkDataObject::ROW) > 0,
+      what + " is not empty");
+    if (spreadOutput && port == 0)
+    {
+      // the pieces in the order of the ranks are the whole
+      const vtkIdType own = got->GetNumberOfElements(vtkDataObject::POINT);
+      std::vector<vtkIdType> counts(controller->GetNumberOfProcesses());
+      controller->AllGather(&own, counts.data(), 1);
+      vtkIdType first = 0;
+      for (int rank = 0; rank < controller->GetLocalProcessId(); ++rank)
+      {
+        first += counts[rank];
+      }
+      auto* points = vtkPolyData::SafeDownCast(got);
+      auto* all = vtkPolyData::SafeDownCast(expected);
+      for (vtkIdType i = 0; i < own; ++i)
+      {
+        const double* p = points->GetPoint(i);
+        const std::array<double, 3> place = { p[0], p[1], p[2] };
+        const double* q = all->GetPoint(first + i);
+        Check(place[0] == q[0] && place[1] == q[1] && place[2] == q[2] &&
+            points->GetPointData()->GetArray("Radius")->GetTuple1(i) == all->GetPointData()->GetArray("Radius")->GetTuple1(first + i),
+          what + ", point " + std::to_string(first + i));
+      }
+      vtkIdType total = 0;
+      controller->AllReduce(&own, &total, 1, vtkCommunicator::SUM_OP);
+      Check(total == all->GetNumberOfPoints(), what + ": number of points");
+      continue;
+    }
+    if (controller->GetLocalProcessId() == 0)
+    {
+      Check(Same(Numbers(got), Numbers(expected)), what);
+    }
+    else
+    {
+      Check(got->GetNumberOfElements(vtkDataObject::POINT) + got->GetNumberOfElements(vtkDataObject::ROW) == 0,
+        what + " is on rank 0 alone");
+    }
+  }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  vtkNew<vtkMPIController> controller;
+  controller->Initialize(&argc, &argv);
+  vtkMultiProcessController::SetGlobalController(controller);
+  const std::size_t rank = controller->GetLocalProcessId();
+  const std::size_t ranks = controller->GetNumberOfProcesses();
+
+  constexpr double edge = 12.0;
+  const ruc::SpherePack fewSizes = MakePack(edge, [](int i) { return std::make_pair(0.4 + 0.1 * (i % 3), 1 + i % 3); });
+  // more distinct radii than the tables take: the direct pair sum
+  const ruc::SpherePack manySizes = MakePack(edge, [](int i) { return std::make_pair(0.4 + 0.0004 * i, 1 + i / 300); });
+
+  const struct
+  {
+    std::string Name;
+    std::function<bool(std::size_t)> Keep;
+  } spreads[] = {
+    { "all on the last rank", [&](std::size_t) { return rank == ranks - 1; } },
+    { "in turn", [&](std::size_t i) { return i % ranks == rank; } },
+    { "backwards, rank 0 empty where there are others",
+      [&](std::size_t i) { return ranks == 1 || (rank > 0 && (i % (ranks - 1)) + 1 == ranks - rank); } },
+  };
+  for (const ruc::SpherePack& pack : { fewSizes, manySizes })
+  {
+    for (bool periodic : { true, false })
+    {
+      const auto whole = MakePolyData(pack, edge, periodic, [](std::size_t) { return true; });
+      for (const auto& spread : spreads)
+      {
+        const auto piece = MakePolyData(pack, edge, periodic, spread.Keep);
+        const std::string name = std::string(periodic ? "periodic" : "block") + ", " + spread.Name;
+        Compare<vtkRUCOnePointProbability>(controller, "one-point, " + name, piece, whole, [](auto*) {});
+        Compare<vtkRUCTwoPointProbability>(controller, "two-point, " + name, piece, whole, [](auto* f) { f->SetNumberOfLags(40); });
+        Compare<vtkRUCUnitCellReconstruction>(controller, "cell, " + name, piece, whole,
+          [](auto* f)
+          {
+            f->SetNumberOfLags(40);
+            f->SetNumberOfParticles(60);
+            f->SetMaximumIterations(120);
+          });
+        if (periodic)
+        {
+          Compare<vtkRUCPeriodicReplicas>(controller, "copies, " + name, piece, whole, [](auto*) {}, true);
+          Compare<vtkRUCPeriodicReplicas>(
+            controller, "tiles, " + name, piece, whole,
+            [](auto* f)
+            {
+              f->SetMode(vtkRUCPeriodicReplicas::TILING);
+              f->SetTiles(2, 1, 3);
+            },
+            true);
+        }
+        // Modes stay with their spheres, on their ranks
+        vtkNew<vtkRUCParticleModes> modes;
+        modes->SetNumberOfModes(2);
+        modes->SetInputData(piece);
+        modes->Update();
+        vtkNew<vtkRUCParticleModes> alone;
+        alone->SetNumberOfModes(2);
+        alone->SetController(nullptr);
+        alone->SetInputData(whole);
+        alone->Update();
+        auto* output = vtkPolyData::SafeDownCast(modes->GetOutputDataObject(0));
+        Check(output->GetNumberOfPoints() == piece->GetNumberOfPoints(), "modes keep every sphere, " + name);
+        if (rank == 0)
+        {
+          Check(Same(Numbers(modes->GetOutputDataObject(1)), Numbers(alone->GetOutputDataObject(1))), "table of modes, " + name);
+        }
+      }
+    }
+  }
+
+  // Threads
+  const auto whole = MakePolyData(fewSizes, edge, true, [](std::size_t) { return true; });
+  std::vector<double> first;
+  for (int threads : { 1, 2, 3 })
+  {
+    omp_set_num_threads(threads);
+    vtkNew<vtkRUCUnitCellReconstruction> cell;
+    cell->SetController(nullptr);
+    cell->SetNumberOfLags(40);
+    cell->SetNumberOfParticles(60);
+    cell->SetMaximumIterations(120);
+    cell->SetInputData(whole);
+    cell->Update();
+    const std::vector<double> numbers = Numbers(cell->GetOutputDataObject(0));
+    first = first.empty() ? numbers : first;
+    Check(numbers == first, "cell on " + std::to_string(threads) + " threads");
+  }
+
+  int all = 0;
+  controller->AllReduce(&Failures, &all, 1, vtkCommunicator::SUM_OP);
+  vtkMultiProcessController::SetGlobalController(nullptr);
+  controller->Finalize();
+  return all == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
