@@ -3,7 +3,6 @@
 #include "PackData.h"
 
 #include "RankCommunicator.h"
-#include "Reconstruction/OverlapRemoval.h"
 #include "Text.h"
 
 #include "vtkCellArray.h"
@@ -411,15 +410,14 @@ void AddOrigin(vtkDataObject* data, const ObservedPack& pack)
   AddField(data, "PluginVersion", std::string(RUC_VERSION));
 }
 
-double AddPackSummary(vtkDataObject* data, const ObservedPack& pack, const std::vector<double>& fractions)
+void AddPackSummary(
+  vtkDataObject* data, const ObservedPack& pack, const std::vector<double>& fractions, double overlapPercent)
 {
   AddWindow(data, pack.Observed);
   AddOrigin(data, pack);
   AddField(data, "NumberOfSpheres", std::vector<long long>{ static_cast<long long>(pack.Pack.Size()) });
   AddField(data, "VolumeFractions", fractions);
-  const double overlap = ruc::MeasureOverlap(pack.Pack, pack.Observed).Percent;
-  AddField(data, "OverlapPercent", std::vector<double>{ overlap });
-  return overlap;
+  AddField(data, "OverlapPercent", std::vector<double>{ overlapPercent });
 }
 
 std::string OverlapWarning(double percent)

@@ -80,9 +80,10 @@ void AddOrigin(vtkDataObject* data, const ObservedPack& pack);
 
 /**
  * What made a result of this pack: window and origin, `NumberOfSpheres`, `VolumeFractions` (as ruc::OnePointProbability) and
- * `OverlapPercent`, which is also returned.
+ * `OverlapPercent`.
  */
-double AddPackSummary(vtkDataObject* data, const ObservedPack& pack, const std::vector<double>& fractions);
+void AddPackSummary(
+  vtkDataObject* data, const ObservedPack& pack, const std::vector<double>& fractions, double overlapPercent);
 
 /** Above this overlap, in percent of the spheres' volume, sums over spheres are no longer the probabilities of phases. */
 constexpr double TolerableOverlap = 0.01;

@@ -4,6 +4,7 @@
 
 #include "PackData.h"
 #include "RankCommunicator.h"
+#include "Reconstruction/OverlapRemoval.h"
 #include "Statistics/OnePointProbability.h"
 #include "Text.h"
 
@@ -44,7 +45,8 @@ void vtkRUCOnePointProbability::Execute(vtkPointSet* input, vtkInformationVector
     PackData::AddColumn(table, "VolumeFraction_error", std::vector<double>(fractions.size(), 0.0));
   }
   PackData::AddField(table, "Method", std::string("Sphere Volumes"));
-  const double overlap = PackData::AddPackSummary(table, observed, fractions);
+  const double overlap = ruc::MeasureOverlap(observed.Pack, observed.Observed).Percent;
+  PackData::AddPackSummary(table, observed, fractions, overlap);
   if (ranks.Rank() == 0 && overlap > PackData::TolerableOverlap)
   {
     vtkWarningMacro(<< this->GetLabel() << PackData::OverlapWarning(overlap));

@@ -139,6 +139,7 @@ void vtkRUCParticleModes::Execute(vtkPointSet* input, vtkInformationVector* outp
   if (input && input->GetNumberOfPoints() > 0)
   {
     FillOutput(input, modes, this->GetCropToWindow() ? &observed.Observed : nullptr, output);
+    output->GetFieldData()->PassData(input->GetFieldData());
   }
   vtkTable* table = vtkTable::GetData(outputs, 1);
   if (ranks.Rank() == 0)
@@ -152,10 +153,6 @@ void vtkRUCParticleModes::Execute(vtkPointSet* input, vtkInformationVector* outp
   }
   for (vtkDataObject* data : { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(table) })
   {
-    if (input)
-    {
-      data->GetFieldData()->PassData(input->GetFieldData());
-    }
     PackData::AddField(data, "Method", std::string(MethodNames[this->Method]));
     PackData::AddField(data, "NumberOfSpheres", std::vector<long long>{ spheres });
     PackData::AddOrigin(data, observed);

@@ -5,6 +5,7 @@
 #include "PackData.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
+#include "Reconstruction/OverlapRemoval.h"
 #include "Statistics/TwoPointChecks.h"
 #include "Statistics/TwoPointProbability.h"
 #include "TwoPointSum.h"
@@ -107,7 +108,7 @@ void vtkRUCTwoPointProbability::Execute(vtkPointSet* input, vtkInformationVector
     FillChecks(probability, checks, vtkTable::GetData(outputs, 1));
     FillGradients(probability, vtkTable::GetData(outputs, 2));
   }
-  double overlap = 0.0;
+  const double overlap = ruc::MeasureOverlap(observed.Pack, observed.Observed).Percent;
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     vtkTable* table = vtkTable::GetData(outputs, port);
@@ -116,7 +117,7 @@ void vtkRUCTwoPointProbability::Execute(vtkPointSet* input, vtkInformationVector
     PackData::AddField(table, "MaximumLag", std::vector<double>{ lags.Maximum() });
     PackData::AddField(table, "SaturationLength",
       std::vector<double>{ ruc::SaturationLength(probability, this->SaturationTolerance, diameter) });
-    overlap = PackData::AddPackSummary(table, observed, probability.Fractions);
+    PackData::AddPackSummary(table, observed, probability.Fractions, overlap);
   }
   if (ranks.Rank() == 0 && overlap > PackData::TolerableOverlap)
   {

@@ -174,7 +174,7 @@ void vtkRUCUnitCellReconstruction::Execute(vtkPointSet* input, vtkInformationVec
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     vtkDataObject* data = outputs->GetInformationObject(port)->Get(vtkDataObject::DATA_OBJECT());
-    PackData::AddPackSummary(data, result, cell.Probability.Fractions);
+    PackData::AddPackSummary(data, result, cell.Probability.Fractions, cell.Overlap.Percent);
     PackData::AddField(data, "Method", std::string("Gradient"));
     PackData::AddField(data, "Seed", std::vector<long long>{ this->Seed });
     PackData::AddField(data, "NumberOfLags", std::vector<long long>{ lags.Count });
