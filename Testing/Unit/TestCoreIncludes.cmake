@@ -1,0 +1,17 @@
+# Fails when a file of the core includes VTK, ParaView or MPI, or reads, writes or prints.
+file(GLOB_RECURSE sources "${CORE}/*.h" "${CORE}/*.cxx")
+list(LENGTH sources count)
+if (count LESS 10)
+  message(FATAL_ERROR "'${CORE}' holds ${count} sources: this is not the core")
+endif ()
+set(forbidden "#[ \t]*include[ \t]*[<\"](vtk|pqs|mpi|ParaView|iostream|fstream|cstdio|stdio\\.h)")
+set(sample "#include \"vtkObject.h\"") # the check must be able to fail
+if (NOT sample MATCHES "${forbidden}")
+  message(FATAL_ERROR "The pattern does not find '${sample}'")
+endif ()
+foreach (source IN LISTS sources)
+  file(STRINGS "${source}" found REGEX "${forbidden}")
+  if (found)
+    message(SEND_ERROR "${source}: ${found}")
+  endif ()
+endforeach ()
