@@ -152,6 +152,7 @@ TEST(ParticleModes, BadSettings)
   const std::vector<double> some = { 1.0, 2.0 };
   EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 0)), "NumberOfModes requires 1 <= NumberOfModes <= 256, got 0");
   EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 257)), "got 257");
+  EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, -1)), "got -1");
   EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::ExplicitEdges, 9, std::vector<double>(300, 1.0))), "got 299");
   EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 3, {}, 2.5)), "MinimumDiameter requires a value that leaves");
   EXPECT_SAYS(ParticleModes({}, Settings(ModeMethod::EqualWidth, 3)), "at least one sphere");
@@ -160,7 +161,8 @@ TEST(ParticleModes, BadSettings)
     EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 3, {}, bad)), "MinimumDiameter requires a finite number >= 0");
   }
   const std::vector<std::vector<double>> badEdges = { {}, { 1.0 }, { 2.0, 1.0 }, { 1.0, 1.0, 2.0 }, { -1.0, 3.0 },
-    { 1.0, HUGE_VAL }, { std::nan(""), 3.0 } };
+    { 1.0, HUGE_VAL }, { std::nan(""), 3.0 },
+    { 1.0, std::nan(""), 3.0 }, { 1.0, std::nan("") } };
   for (const std::vector<double>& edges : badEdges)
   {
     EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::ExplicitEdges, 9, edges)), "Edges requires two or more ascending");

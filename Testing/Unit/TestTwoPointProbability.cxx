@@ -571,6 +571,47 @@ TEST(ExactPairSum, TablesAndClosedFormAgree)
   }
 }
 
+TEST(ExactPairSum, ManyRadiiInAWindowAgreeWithTheSumOverPairs)
+{
+  // A radius of its own for every sphere, large and small ones: the closed form in the fixed point of the largest volume
+  const Window window = Window::MakeBox({ 0, 0, 0 }, { 14, 15, 16 }, { false, false, false });
+  SpherePack pack = oracle::RandomPack({ 1000, 100 }, { 0.3, 1.2 }, window, 9);
+  oracle::Uniform random(3);
+  for (double& radius : pack.Radius)
+  {
+    radius *= random(0.8, 1.2);
+  }
+  ruc::SortCanonically(pack);
+  const LagGrid lags = { 1.2, 6 };
+  const TwoPointProbability probability = Measure(pack, window, lags);
+  std::vector<std::vector<double>> expected(3, std::vector<double>(lags.Count + 1, 0.0));
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    for (std::size_t j = i; j < pack.Size(); ++j)
+    {
+      const double dx = pack.X[j] - pack.X[i], dy = pack.Y[j] - pack.Y[i], dz = pack.Z[j] - pack.Z[i];
+      const double d = std::sqrt(dx * dx + dy * dy + dz * dz), a = pack.Radius[i], b = pack.Radius[j];
+      const double orders = i != j && pack.Mode[i] == pack.Mode[j] ? 2.0 : 1.0;
+      for (int k = 0; k <= lags.Count; ++k)
+      {
+        if (std::abs(d - k * lags.Spacing) < a + b)
+        {
+          expected[pack.Mode[i] + pack.Mode[j] - 2][k] += orders *
+            ruc::OrientationAveragedOverlap(a, b, k * lags.Spacing, d).Value / window.SetCovariance(dx, dy, dz);
+        }
+      }
+    }
+  }
+  for (int pair = 0; pair < 3; ++pair)
+  {
+    const std::vector<double>& values = probability.S(pair / 2, (pair + 1) / 2);
+    for (int k = 1; k <= lags.Count; ++k)
+    {
+      EXPECT_NEAR(values[k], expected[pair][k], TableError * expected[pair][k]) << pair << " lag " << k; // as documented
+    }
+  }
+}
+
 TEST(ExactPairSum, OverlappingSpheresCountTwice)
 {
   // no claim about a medium, but the same sum
