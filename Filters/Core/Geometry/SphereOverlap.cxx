@@ -70,7 +70,7 @@ AveragedOverlap OrientationAveragedOverlap(double a, double b, double r, double 
   }
   if (r < tiny)
   {
-    return { LensVolume(a, b, std::abs(d)), std::copysign(LensVolumeSlope(a, b, std::abs(d)), d) };
+    return { LensVolume(a, b, std::abs(d)), (d < 0.0 ? -1.0 : 1.0) * LensVolumeSlope(a, b, std::abs(d)) };
   }
   const double value = (OverlapMoment(a, b, d - r) - OverlapMoment(a, b, d + r)) / (2.0 * d * r);
   const double slope =

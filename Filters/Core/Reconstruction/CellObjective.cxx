@@ -12,8 +12,6 @@ namespace ruc
 {
 namespace
 {
-// Knots of the pair tables, in units of the smaller radius: see the benchmark of F2 against the finer tables of ExactPairSum
-constexpr double TableResolution = 0.25;
 // Few centres a chunk, so that ranks and threads get equal shares of a small cell
 constexpr std::size_t ChunkOfCentres = 8;
 
@@ -50,7 +48,7 @@ CellObjective::CellObjective(const CellContents& contents, const TwoPointProbabi
   : Contents(contents)
   , Target(target)
   , Ranks(communicator)
-  , Histogram(CellTypes(contents), target.Lags, TableResolution)
+  , Histogram(CellTypes(contents), target.Lags)
   , Probability(target.Modes, target.Lags)
 {
   double volume = 0.0;

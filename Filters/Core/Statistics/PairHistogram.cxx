@@ -7,7 +7,7 @@
 
 namespace ruc
 {
-PairHistogram::PairHistogram(std::vector<SphereType> types, const LagGrid& lags, double resolution)
+PairHistogram::PairHistogram(std::vector<SphereType> types, const LagGrid& lags)
   : Types(std::move(types))
 {
   const int count = this->NumberOfTypes();
@@ -23,7 +23,7 @@ PairHistogram::PairHistogram(std::vector<SphereType> types, const LagGrid& lags,
   {
     for (int q = p; q < count; ++q)
     {
-      this->Kernels.emplace_back(this->Types[p].Radius, this->Types[q].Radius, lags, resolution, this->Cutoff);
+      this->Kernels.emplace_back(this->Types[p].Radius, this->Types[q].Radius, lags, this->Cutoff);
       const PairKernel& kernel = this->Kernels.back();
       for (int place : { p * count + q, q * count + p })
       {
@@ -36,22 +36,18 @@ PairHistogram::PairHistogram(std::vector<SphereType> types, const LagGrid& lags,
   }
 }
 
-double PairHistogram::EstimateBytes(const std::vector<SphereType>& types, const LagGrid& lags, double resolution)
+double PairHistogram::EstimateSize(const std::vector<SphereType>& types, const LagGrid& lags)
 {
   double numbers = 0.0;
   for (const SphereType& a : types)
   {
     for (const SphereType& b : types)
     {
-      const double spacing = resolution * std::min(a.Radius, b.Radius);
-      const double knots = (lags.Maximum() + a.Radius + b.Radius) / spacing + 3.0;
-      // histogram, and the tables of a kernel: overlapping knots x lags, phases x lags
-      numbers += 0.5 *
-        (2.0 * knots + (a.Radius + b.Radius) / spacing * 2.0 * (2.0 * (a.Radius + b.Radius) / lags.Spacing + 1.0) +
-          2.0 * std::max(lags.Spacing / spacing, 1.0) * (2.0 * (a.Radius + b.Radius) / lags.Spacing + 2.0));
+      const double spacing = PairKernel::KnotSpacing(std::min(a.Radius, b.Radius), lags);
+      numbers += (lags.Maximum() + a.Radius + b.Radius) / spacing; // half of two numbers a knot: classes are unordered
     }
   }
-  return 8.0 * numbers;
+  return numbers;
 }
 
 double PairHistogram::FixedPointScale(std::int64_t spheres, std::int64_t mostNeighbours, double heaviest)

@@ -33,8 +33,7 @@ struct SphereType
 class PairHistogram
 {
 public:
-  /** For the types of a pack; see PairKernel for `resolution`. */
-  PairHistogram(std::vector<SphereType> types, const LagGrid& lags, double resolution);
+  PairHistogram(std::vector<SphereType> types, const LagGrid& lags);
 
   int NumberOfTypes() const { return static_cast<int>(this->Types.size()); }
   int NumberOfClasses() const { return static_cast<int>(this->Kernels.size()); }
@@ -50,11 +49,8 @@ public:
   /** Pairs further apart than this have no overlap at any lag. */
   double GetCutoff() const { return this->Cutoff; }
 
-  /**
-   * Numbers that Kernel(c).Size() would add up to, in bytes, without making them: for deciding whether a pack has few
-   * enough types.
-   */
-  static double EstimateBytes(const std::vector<SphereType>& types, const LagGrid& lags, double resolution);
+  /** Numbers that a histogram for these types would have, without making its tables: to decide whether there are few enough. */
+  static double EstimateSize(const std::vector<SphereType>& types, const LagGrid& lags);
 
   /**
    * The largest power of two by which weights up to `heaviest` may be scaled to integers: no sum over `spheres` spheres of

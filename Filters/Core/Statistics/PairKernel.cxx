@@ -12,84 +12,95 @@ namespace ruc
 {
 namespace
 {
+// Where lags are coarse, knots are this share of the smaller radius apart at most; where they are fine, not below the other.
+// With these every S_rs is exact to 1e-6: see the unit test of tabulated against direct sums.
+constexpr double CoarsestSpacing = 0.125;
+constexpr double FinestSpacing = 0.0075;
+
 RUC_VECTOR_CLONES
-void Accumulate(int count, double alpha, const double* moment, double beta, const double* slope, double* sums)
+void Accumulate(int count, double alpha, const double* moment, double beta, const double* slope, int step, double* sums)
 {
-  for (int n = 0; n < count; ++n)
+  if (step > 0)
   {
-    sums[n] += alpha * moment[n] + beta * slope[n];
+    for (int n = 0; n < count; ++n)
+    {
+      sums[n] += alpha * moment[n] + beta * slope[n];
+    }
+  }
+  else
+  {
+    for (int n = 0; n < count; ++n)
+    {
+      sums[n] -= alpha * moment[-n] + beta * slope[-n];
+    }
   }
 }
 
-// Two scalar products at once, each in eight interleaved partial sums so that the order is the same on every machine
+// Adds two scalar products, each in eight interleaved partial sums so that the order is the same on every machine
 RUC_VECTOR_CLONES
-void Project(int count, const double* lambda, const double* moment, const double* slope, double* products)
+void Project(int count, const double* lambda, const double* moment, const double* slope, int step, double* products)
 {
   constexpr int Lanes = 8;
   double m[Lanes] = {};
   double s[Lanes] = {};
   int n = 0;
-  for (; n + Lanes <= count; n += Lanes)
+  if (step > 0)
   {
-    for (int l = 0; l < Lanes; ++l)
+    for (; n + Lanes <= count; n += Lanes)
     {
-      m[l] += lambda[n + l] * moment[n + l];
-      s[l] += lambda[n + l] * slope[n + l];
+      for (int l = 0; l < Lanes; ++l)
+      {
+        m[l] += lambda[n + l] * moment[n + l];
+        s[l] += lambda[n + l] * slope[n + l];
+      }
     }
   }
-  for (int l = 0; n < count; ++n, ++l)
+  for (; n < count; ++n)
   {
-    m[l] += lambda[n] * moment[n];
-    s[l] += lambda[n] * slope[n];
+    m[n % Lanes] += lambda[n] * moment[step * n];
+    s[n % Lanes] += lambda[n] * slope[step * n];
   }
-  products[0] = products[1] = 0.0;
   for (int l = 0; l < Lanes; ++l)
   {
-    products[0] += m[l];
-    products[1] += s[l];
+    products[0] += step * m[l];
+    products[1] += step * s[l];
   }
 }
 }
 
-PairKernel::PairKernel(double a, double b, const LagGrid& lags, double resolution, double cutoff)
-  : Lags(lags)
-  , Contact(a + b)
+double PairKernel::KnotSpacing(double smallerRadius, const LagGrid& lags)
 {
-  const double widest = resolution * std::min(a, b);
-  if (widest >= lags.Spacing)
+  const double finest = FinestSpacing * smallerRadius;
+  return lags.Spacing < finest ? lags.Spacing * std::floor(finest / lags.Spacing)
+                               : lags.Spacing / std::ceil(lags.Spacing / (CoarsestSpacing * smallerRadius));
+}
+
+PairKernel::PairKernel(double a, double b, const LagGrid& lags, double cutoff)
+  : Spacing(KnotSpacing(std::min(a, b), lags))
+  , Lags(lags)
+  , RadiusA(a)
+  , RadiusB(b)
+{
+  if (this->Spacing > 1.5 * lags.Spacing)
   {
-    this->LagsPerKnot = static_cast<int>(std::min(widest / lags.Spacing, double(lags.Count) + 1.0));
-    this->Spacing = this->LagsPerKnot * lags.Spacing;
+    this->LagsPerKnot = static_cast<int>(std::lround(this->Spacing / lags.Spacing));
   }
   else
   {
-    this->KnotsPerLag = static_cast<int>(std::ceil(lags.Spacing / widest));
-    this->Spacing = lags.Spacing / this->KnotsPerLag;
+    this->KnotsPerLag = static_cast<int>(std::lround(lags.Spacing / this->Spacing));
   }
-  const int contactKnot = static_cast<int>(std::ceil(this->Contact / this->Spacing));
-  this->First = this->Contact - contactKnot * this->Spacing;
+  const double contact = a + b;
+  this->ContactKnot = static_cast<int>(std::ceil(contact / this->Spacing));
+  this->First = contact - this->ContactKnot * this->Spacing;
   // one interval more than is needed, so that rounding cannot put a distance behind the last
   this->Intervals = static_cast<int>(std::ceil((cutoff - this->First) / this->Spacing)) + 1;
 
-  for (int m = 0; m < contactKnot; ++m)
-  {
-    const double d = this->First + m * this->Spacing;
-    const int last = std::min(lags.Count, static_cast<int>((std::abs(d) + this->Contact) / lags.Spacing));
-    OverlappingKnot knot;
-    for (int k = 0; k <= last; ++k)
-    {
-      const AveragedOverlap g = OrientationAveragedOverlap(a, b, k * lags.Spacing, d);
-      knot.Value.push_back(g.Value);
-      knot.Slope.push_back(this->Spacing * g.Slope);
-    }
-    this->OverlappingKnots.push_back(std::move(knot));
-  }
   for (int p = 0; p < std::max(this->KnotsPerLag, 1); ++p)
   {
     const double offset = this->First + p * this->Spacing;
     Phase phase;
-    phase.FirstDifference = static_cast<int>(std::ceil((offset - this->Contact) / lags.Spacing));
-    for (int n = phase.FirstDifference; n * lags.Spacing <= offset + this->Contact; ++n)
+    phase.First = static_cast<int>(std::ceil((offset - contact) / lags.Spacing));
+    for (int n = phase.First; n * lags.Spacing <= offset + contact; ++n)
     {
       const double t = offset - n * lags.Spacing;
       phase.Moment.push_back(OverlapMoment(a, b, t));
@@ -99,10 +110,42 @@ PairKernel::PairKernel(double a, double b, const LagGrid& lags, double resolutio
   }
 }
 
+PairKernel::Factors PairKernel::FactorsOf(double d) const
+{
+  // Closer to 0 the quotients below lose more digits than the limit's own error: 2 r g -> 2 r V_ab(r) = 2 dh/dt at t = -r
+  if (std::abs(d) < 1e-5 * std::min(this->RadiusA, this->RadiusB))
+  {
+    return { 0.0, 2.0 / this->Spacing, 0.0, 0.0, false };
+  }
+  return { 1.0 / d, 0.0, -this->Spacing / (d * d), 1.0 / d, d < this->RadiusA + this->RadiusB };
+}
+
+template <class Visit>
+void PairKernel::ForEachStretch(int knot, bool sum, Visit&& visit) const
+{
+  const int base = this->LagsPerKnot > 0 ? knot * this->LagsPerKnot : knot / this->KnotsPerLag;
+  const Phase& phase = this->Phases[this->LagsPerKnot > 0 ? 0 : knot % this->KnotsPerLag];
+  const int entries = static_cast<int>(phase.Moment.size());
+  // d - r_k: n = k - base
+  const int from = std::max(1, base + phase.First);
+  const int to = std::min(this->Lags.Count + 1, base + phase.First + entries);
+  if (from < to)
+  {
+    const int entry = from - base - phase.First;
+    visit(from, &phase.Moment[entry], &phase.Slope[entry], to - from, 1);
+  }
+  // d + r_k: n = -k - base
+  const int last = std::min(this->Lags.Count, -base - phase.First);
+  if (sum && last >= 1)
+  {
+    const int entry = -1 - base - phase.First;
+    visit(1, &phase.Moment[entry], &phase.Slope[entry], last, -1);
+  }
+}
+
 void PairKernel::AddOverlap(const double* weights, double* sums) const
 {
-  std::vector<double> moments(this->Lags.Count + 1, 0.0); // 2 r times what the knots from a + b on add
-  const int contactKnot = static_cast<int>(this->OverlappingKnots.size());
+  std::vector<double> moments(this->Lags.Count + 1, 0.0); // sum of 2 r g
   for (int m = 0; m <= this->Intervals; ++m)
   {
     const double value = weights[2 * m];
@@ -111,21 +154,17 @@ void PairKernel::AddOverlap(const double* weights, double* sums) const
     {
       continue;
     }
-    if (m < contactKnot)
-    {
-      const OverlappingKnot& knot = this->OverlappingKnots[m];
-      Accumulate(static_cast<int>(knot.Value.size()), value, knot.Value.data(), slope, knot.Slope.data(), sums);
-      continue;
-    }
     const double d = this->First + m * this->Spacing;
-    const Phase& phase = this->Phases[this->PhaseOf(m)];
-    const int lag = this->BaseLag(m) + phase.FirstDifference; // of the phase's first entry
-    const int from = std::max(1 - lag, 0);
-    const int to = std::min(static_cast<int>(phase.Moment.size()), this->Lags.Count + 1 - lag);
-    if (from < to)
+    const Factors f = this->FactorsOf(d);
+    const double alpha = value * f.ValueOfMoment + slope * f.SlopeOfMoment;
+    const double beta = value * f.ValueOfSlope + slope * f.SlopeOfSlope;
+    this->ForEachStretch(m, f.Sum,
+      [&](int lag, const double* moment, const double* momentSlope, int count, int step)
+      { Accumulate(count, alpha, moment, beta, momentSlope, step, &moments[lag]); });
+    if (m < this->ContactKnot)
     {
-      Accumulate(to - from, value / d - slope * this->Spacing / (d * d), &phase.Moment[from], slope / d, &phase.Slope[from],
-        &moments[lag + from]);
+      const AveragedOverlap g = OrientationAveragedOverlap(this->RadiusA, this->RadiusB, 0.0, d);
+      sums[0] += value * g.Value + slope * this->Spacing * g.Slope;
     }
   }
   for (int k = 1; k <= this->Lags.Count; ++k)
@@ -141,37 +180,30 @@ void PairKernel::AddPotential(const double* lambda, double* potential) const
   {
     scaled[k] = lambda[k] / (2.0 * k * this->Lags.Spacing);
   }
-  double products[2];
-  const int contactKnot = static_cast<int>(this->OverlappingKnots.size());
   for (int m = 0; m <= this->Intervals; ++m)
   {
-    if (m < contactKnot)
-    {
-      const OverlappingKnot& knot = this->OverlappingKnots[m];
-      Project(static_cast<int>(knot.Value.size()), lambda, knot.Value.data(), knot.Slope.data(), products);
-      potential[2 * m] += products[0];
-      potential[2 * m + 1] += products[1];
-      continue;
-    }
     const double d = this->First + m * this->Spacing;
-    const Phase& phase = this->Phases[this->PhaseOf(m)];
-    const int lag = this->BaseLag(m) + phase.FirstDifference;
-    const int from = std::max(1 - lag, 0);
-    const int to = std::min(static_cast<int>(phase.Moment.size()), this->Lags.Count + 1 - lag);
-    if (from < to)
+    const Factors f = this->FactorsOf(d);
+    double products[2] = { 0.0, 0.0 };
+    this->ForEachStretch(m, f.Sum,
+      [&](int lag, const double* moment, const double* momentSlope, int count, int step)
+      { Project(count, &scaled[lag], moment, momentSlope, step, products); });
+    potential[2 * m] += f.ValueOfMoment * products[0] + f.ValueOfSlope * products[1];
+    potential[2 * m + 1] += f.SlopeOfMoment * products[0] + f.SlopeOfSlope * products[1];
+    if (m < this->ContactKnot && lambda[0] != 0.0)
     {
-      Project(to - from, &scaled[lag + from], &phase.Moment[from], &phase.Slope[from], products);
-      potential[2 * m] += products[0] / d;
-      potential[2 * m + 1] += products[1] / d - products[0] * this->Spacing / (d * d);
+      const AveragedOverlap g = OrientationAveragedOverlap(this->RadiusA, this->RadiusB, 0.0, d);
+      potential[2 * m] += lambda[0] * g.Value;
+      potential[2 * m + 1] += lambda[0] * this->Spacing * g.Slope;
     }
   }
 }
 
 void PairKernel::AddOverlapPenalty(double factor, double* potential) const
 {
-  for (std::size_t m = 0; m < this->OverlappingKnots.size(); ++m)
+  for (int m = 0; m < this->ContactKnot; ++m)
   {
-    const double overlap = this->Contact - (this->First + m * this->Spacing);
+    const double overlap = this->RadiusA + this->RadiusB - (this->First + m * this->Spacing);
     potential[2 * m] += factor * overlap * overlap;
     potential[2 * m + 1] -= 2.0 * factor * overlap * this->Spacing;
   }

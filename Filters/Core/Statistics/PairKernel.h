@@ -30,8 +30,15 @@ struct LagGrid
 class PairKernel
 {
 public:
-  /** Knots are at most `resolution` times the smaller radius apart; no distance may exceed `cutoff` >= a + b. */
-  PairKernel(double a, double b, const LagGrid& lags, double resolution, double cutoff);
+  /** No distance may exceed `cutoff` >= a + b. */
+  PairKernel(double a, double b, const LagGrid& lags, double cutoff);
+
+  /**
+   * The spacing of the knots for a pair with this smaller radius: a whole fraction of the lag spacing, so that the kinks of g at
+   * d = a + b + r_k fall on knots, and fine enough for the smaller sphere; a whole multiple of the lag spacing only where that is
+   * far finer than needed.
+   */
+  static double KnotSpacing(double smallerRadius, const LagGrid& lags);
 
   double First;
   double Spacing;
@@ -48,28 +55,30 @@ public:
   void AddOverlapPenalty(double factor, double* potential) const;
 
 private:
-  // For d >= a + b, 2 d r g(r; d) = h(d - r) depends on the difference alone. The knots fall into as many phases as
-  // there are knots between two lags; in one phase d_m - r_k = Offset - n LagSpacing.
+  // 2 d r g = h(d - r) - h(d + r) depends on difference and sum alone. The knots fall into as many phases as
+  // there are knots between two lags; in one phase d_m - r_k and d_m + r_k are Offset - n LagSpacing for whole n.
   struct Phase
   {
-    int FirstDifference;
-    std::vector<double> Moment, Slope; // h and Spacing x dh/dt at n = FirstDifference, …
+    int First;                         // n of the first entry
+    std::vector<double> Moment, Slope; // h and Spacing x dh/dt; beyond them both are 0
   };
-  // For d < a + b both terms of g count; value and Spacing x slope at r_0, r_1, …
-  struct OverlappingKnot
+  // How a knot's value and slope enter 2 r g as factors of Moment and Slope; at d = 0 in the limit
+  struct Factors
   {
-    std::vector<double> Value, Slope;
+    double ValueOfMoment, ValueOfSlope, SlopeOfMoment, SlopeOfSlope;
+    bool Sum; // the term of d + r counts: the spheres overlap
   };
-
-  // The difference n = k - BaseLag of a knot, and its phase
-  int BaseLag(int knot) const { return this->LagsPerKnot > 0 ? knot * this->LagsPerKnot : knot / this->KnotsPerLag; }
-  int PhaseOf(int knot) const { return this->LagsPerKnot > 0 ? 0 : knot % this->KnotsPerLag; }
+  Factors FactorsOf(double d) const;
+  // Calls visit(lag, moment, slope, count, step): from that lag on, the numbers at 0, step, 2 step, … behind these pointers stand
+  // for d - r (step 1) or d + r (step -1), the latter only if `sum`
+  template <class Visit>
+  void ForEachStretch(int knot, bool sum, Visit&& visit) const;
 
   LagGrid Lags;
-  double Contact;
+  double RadiusA, RadiusB;
+  int ContactKnot;
   int LagsPerKnot = 0; // one of these two is 0
   int KnotsPerLag = 0;
   std::vector<Phase> Phases;
-  std::vector<OverlappingKnot> OverlappingKnots;
 };
 }

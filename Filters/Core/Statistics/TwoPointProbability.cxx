@@ -93,11 +93,9 @@ double TwoPointDifference(const TwoPointProbability& a, const TwoPointProbabilit
 namespace
 {
 constexpr std::size_t ChunkOfCentres = 64;
-// Knots of the tables over the distance: an eighth of the smaller radius apart (see the unit test of the error)
-constexpr double TableResolution = 0.125;
-// Beyond this the tables of all pairs of types no longer pay, or fit a cache
+// With more types than this, or a histogram larger than fits a cache, tables for all pairs of types no longer pay
 constexpr std::size_t MostTypes = 256;
-constexpr double MostTableBytes = 64.0 * 1024.0 * 1024.0;
+constexpr double LargestHistogram = 1 << 21;
 
 // A lower bound of the set covariance over all displacements of a length up to `reach`
 double LeastSetCovariance(const Window& window, double reach)
@@ -198,7 +196,7 @@ class ExactPairSum::Tabulated : public ExactPairSum::Method
 public:
   Tabulated(const SpherePack& pack, const Window& window, const LagGrid& lags)
     : Method(pack, window, lags)
-    , Histogram(this->Types, lags, TableResolution)
+    , Histogram(this->Types, lags)
   {
     this->MakeCells(this->Histogram.GetCutoff());
     this->Scale = PairHistogram::FixedPointScale(pack.Size(), this->Cells->MostNeighbours(), this->HeaviestPair);
@@ -277,11 +275,12 @@ public:
     , Pairs(pack.NumberOfModes(), lags)
   {
     this->MakeCells(lags.Maximum() + 2.0 * pack.LargestRadius());
-    // r g <= r V_ii / … : the sum over the pairs of one chunk is held in units of the largest sphere's volume
+    // A chunk adds one number for each pair of phases and lag: in units of the largest sphere's volume, which no overlap
+    // exceeds, at most twice the weight of all its pairs.
+    const std::int64_t chunks = static_cast<std::int64_t>(pack.Size() / ChunkOfCentres) + 1;
     this->Unit = SphereVolume(pack.LargestRadius());
-    this->Scale = PairHistogram::FixedPointScale(pack.Size(), this->Cells->MostNeighbours(), this->HeaviestPair);
-    // One number is added a chunk, of at most that many pairs
-    this->Scale /= 2.0 * ChunkOfCentres * static_cast<double>(this->Cells->MostNeighbours());
+    this->Scale =
+      PairHistogram::FixedPointScale(chunks, 1, 2.0 * ChunkOfCentres * this->Cells->MostNeighbours() * this->HeaviestPair);
   }
 
   std::size_t SumsSize() const override { return this->Pairs.Values.size() * (this->Lags.Count + 1); }
@@ -367,7 +366,7 @@ ExactPairSum::ExactPairSum(const SpherePack& pack, const Window& window, const L
   }
   std::sort(types.begin(), types.end());
   types.erase(std::unique(types.begin(), types.end()), types.end());
-  if (types.size() <= MostTypes && PairHistogram::EstimateBytes(types, lags, TableResolution) <= MostTableBytes)
+  if (types.size() <= MostTypes && PairHistogram::EstimateSize(types, lags) <= LargestHistogram)
   {
     this->Sum = std::make_unique<Tabulated>(pack, window, lags);
   }
