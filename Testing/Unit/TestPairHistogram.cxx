@@ -9,7 +9,7 @@
 TEST(PairHistogram, EveryUnorderedPairOfTypesIsAClass)
 {
   const std::vector<ruc::SphereType> types = { { 1, 1.0 }, { 1, 1.1 }, { 2, 0.5 } };
-  const ruc::PairHistogram histogram(types, { 0.1, 30 }, 0.125);
+  const ruc::PairHistogram histogram(types, { 0.1, 30 });
   ASSERT_EQ(histogram.NumberOfClasses(), 6);
   std::size_t size = 0;
   int c = 0;
@@ -58,7 +58,7 @@ TEST(PairHistogram, CountedPairsGiveTheSumOfTheirOverlaps)
   const std::vector<ruc::SphereType> types = { { 1, 1.0 }, { 2, 0.6 } };
   const ruc::SpherePack pack = oracle::RelaxedPack({ 12, 25 }, { 1.0, 0.6 }, box, 3);
   const ruc::LagGrid lags = { 0.25, 20 };
-  const ruc::PairHistogram histogram(types, lags, 0.125);
+  const ruc::PairHistogram histogram(types, lags);
   const ruc::CellList cells(pack, box, histogram.GetCutoff());
   std::vector<std::int32_t> typeOfPlace;
   for (std::uint32_t i : cells.Index)

@@ -11,12 +11,11 @@ struct Case
 {
   double A, B;
   ruc::LagGrid Lags;
-  double Resolution;
 };
 // Knots finer than the lags, coarser, and equal; radii that are equal, near and far
-const Case Cases[] = { { 1.0, 1.0, { 0.05, 80 }, 0.125 }, { 1.0, 1.0, { 0.5, 9 }, 0.125 }, { 1.0, 0.7, { 0.05, 80 }, 0.125 },
-  { 0.7, 1.0, { 0.031, 120 }, 0.125 }, { 0.2, 1.5, { 0.3, 12 }, 0.125 }, { 0.2, 1.5, { 0.011, 200 }, 0.125 },
-  { 1.0, 0.8, { 0.1, 50 }, 0.125 }, { 1.0, 1.0, { 7.0, 2 }, 0.125 }, { 1.0, 0.9, { 0.001, 5 }, 0.125 } };
+const Case Cases[] = { { 1.0, 1.0, { 0.05, 80 } }, { 1.0, 1.0, { 0.5, 9 } }, { 1.0, 0.7, { 0.05, 80 } },
+  { 0.7, 1.0, { 0.031, 120 } }, { 0.2, 1.5, { 0.3, 12 } }, { 0.2, 1.5, { 0.011, 200 } },
+  { 1.0, 0.8, { 0.1, 50 } }, { 1.0, 1.0, { 7.0, 2 } }, { 1.0, 0.9, { 0.001, 5 } } };
 
 double CutoffOf(const Case& c)
 {
@@ -52,10 +51,10 @@ TEST(PairKernel, KnotsReachFromZeroToTheCutoffAndHoldTheContact)
 {
   for (const Case& c : Cases)
   {
-    const ruc::PairKernel kernel(c.A, c.B, c.Lags, c.Resolution, CutoffOf(c));
+    const ruc::PairKernel kernel(c.A, c.B, c.Lags, CutoffOf(c));
     EXPECT_LE(kernel.First, 1e-12);
     EXPECT_GE(kernel.First + kernel.Intervals * kernel.Spacing, CutoffOf(c));
-    EXPECT_LE(kernel.Spacing, c.Resolution * std::min(c.A, c.B) * (1 + 1e-12));
+    EXPECT_LE(kernel.Spacing, 0.125 * std::min(c.A, c.B) * (1 + 1e-12));
     const double contact = (c.A + c.B - kernel.First) / kernel.Spacing;
     EXPECT_NEAR(contact, std::round(contact), 1e-9);
     const double ratio = std::max(kernel.Spacing / c.Lags.Spacing, c.Lags.Spacing / kernel.Spacing);
@@ -67,7 +66,7 @@ TEST(PairKernel, IsExactOnKnots)
 {
   for (const Case& c : Cases)
   {
-    const ruc::PairKernel kernel(c.A, c.B, c.Lags, c.Resolution, CutoffOf(c));
+    const ruc::PairKernel kernel(c.A, c.B, c.Lags, CutoffOf(c));
     const double unit = ruc::SphereVolume(std::min(c.A, c.B));
     for (int m = 0; m <= kernel.Intervals; ++m)
     {
@@ -92,7 +91,7 @@ TEST(PairKernel, BetweenKnotsTheErrorIsThatOfHermiteInterpolation)
 {
   for (const Case& c : Cases)
   {
-    const ruc::PairKernel kernel(c.A, c.B, c.Lags, c.Resolution, CutoffOf(c));
+    const ruc::PairKernel kernel(c.A, c.B, c.Lags, CutoffOf(c));
     const double unit = ruc::SphereVolume(std::min(c.A, c.B));
     oracle::Uniform random(1);
     for (int n = 0; n < 400; ++n)
@@ -121,7 +120,7 @@ TEST(PairKernel, SumOverManyPairsIsGoodToOneInAMillion)
   // The errors of single distances change sign from knot to knot; what counts is the sum over the pairs of a pack.
   for (const Case& c : Cases)
   {
-    const ruc::PairKernel kernel(c.A, c.B, c.Lags, c.Resolution, CutoffOf(c));
+    const ruc::PairKernel kernel(c.A, c.B, c.Lags, CutoffOf(c));
     oracle::Uniform random(2);
     std::vector<double> weights(kernel.Size(), 0.0), sums(c.Lags.Count + 1, 0.0), expected(c.Lags.Count + 1, 0.0);
     constexpr int pairs = 20000;
@@ -146,7 +145,7 @@ TEST(PairKernel, PotentialIsTheTransposeOfTheOverlap)
 {
   for (const Case& c : Cases)
   {
-    const ruc::PairKernel kernel(c.A, c.B, c.Lags, c.Resolution, CutoffOf(c));
+    const ruc::PairKernel kernel(c.A, c.B, c.Lags, CutoffOf(c));
     oracle::Uniform random(3);
     std::vector<double> weights(kernel.Size()), lambda(c.Lags.Count + 1);
     std::vector<double> sums(lambda.size(), 0.0), potential(weights.size(), 0.0);
@@ -173,7 +172,7 @@ TEST(PairKernel, PotentialIsTheTransposeOfTheOverlap)
 TEST(PairKernel, SumsAddUp)
 {
   const Case& c = Cases[2];
-  const ruc::PairKernel kernel(c.A, c.B, c.Lags, c.Resolution, CutoffOf(c));
+  const ruc::PairKernel kernel(c.A, c.B, c.Lags, CutoffOf(c));
   std::vector<double> weights(kernel.Size(), 0.0), sums(c.Lags.Count + 1, 1.0);
   kernel.AddOverlap(weights.data(), sums.data());
   EXPECT_EQ(sums, std::vector<double>(c.Lags.Count + 1, 1.0)); // what is there stays
@@ -183,24 +182,21 @@ TEST(PairKernel, PenaltyIsTheSquareOfTheOverlap)
 {
   for (const Case& c : Cases)
   {
-    for (double resolution : { 0.125, 0.25 })
+    const ruc::PairKernel kernel(c.A, c.B, c.Lags, CutoffOf(c));
+    std::vector<double> potential(kernel.Size(), 0.0);
+    kernel.AddOverlapPenalty(3.0, potential.data());
+    const double contact = c.A + c.B;
+    oracle::Uniform random(4);
+    for (int n = 0; n < 500; ++n)
     {
-      const ruc::PairKernel kernel(c.A, c.B, c.Lags, resolution, CutoffOf(c));
-      std::vector<double> potential(kernel.Size(), 0.0);
-      kernel.AddOverlapPenalty(3.0, potential.data());
-      const double contact = c.A + c.B;
-      oracle::Uniform random(4);
-      for (int n = 0; n < 500; ++n)
+      const double d = random(0.0, std::min(1.5 * contact, CutoffOf(c)));
+      std::vector<double> weights(kernel.Size(), 0.0);
+      AddWeights(kernel, d, 1.0, weights);
+      const double overlap = std::max(contact - d, 0.0);
+      EXPECT_NEAR(Dot(weights, potential), 3.0 * overlap * overlap, 1e-13 * contact * contact) << d;
+      if (d > contact * (1.0 + 1e-12))
       {
-        const double d = random(0.0, std::min(1.5 * contact, CutoffOf(c)));
-        std::vector<double> weights(kernel.Size(), 0.0);
-        AddWeights(kernel, d, 1.0, weights);
-        const double overlap = std::max(contact - d, 0.0);
-        EXPECT_NEAR(Dot(weights, potential), 3.0 * overlap * overlap, 1e-13 * contact * contact) << d;
-        if (d > contact * (1.0 + 1e-12))
-        {
-          EXPECT_EQ(Dot(weights, potential), 0.0) << d;
-        }
+        EXPECT_EQ(Dot(weights, potential), 0.0) << d;
       }
     }
   }

@@ -153,7 +153,7 @@ TEST(ParticleModes, BadSettings)
   EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 0)), "NumberOfModes requires 1 <= NumberOfModes <= 256, got 0");
   EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 257)), "got 257");
   EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, -1)), "got -1");
-  EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::ExplicitEdges, 9, std::vector<double>(300, 1.0))), "got 299");
+  EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::ExplicitEdges, 9, std::vector<double>(300, 1.0))), "got 300");
   EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 3, {}, 2.5)), "MinimumDiameter requires a value that leaves");
   EXPECT_SAYS(ParticleModes({}, Settings(ModeMethod::EqualWidth, 3)), "at least one sphere");
   for (double bad : { -1.0, std::nan(""), HUGE_VAL })

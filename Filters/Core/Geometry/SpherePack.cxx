@@ -194,7 +194,7 @@ void WrapIntoBox(SpherePack& pack, const Window& box)
     for (double& c : *axes[q])
     {
       c -= box.Size[q] * std::floor((c - box.Origin[q]) / box.Size[q]);
-      if (c >= box.Origin[q] + box.Size[q]) // a centre just below the origin rounds up to the upper face
+      if (!(c >= box.Origin[q] && c < box.Origin[q] + box.Size[q])) // rounding, for a centre just off a face
       {
         c = box.Origin[q];
       }

@@ -114,7 +114,11 @@ bool ParseNumber(std::string_view field, double& value)
     field.remove_prefix(1);
   }
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  return error == std::errc() && end == field.data() + field.size();
+  if (error == std::errc::result_out_of_range)
+  {
+    value = std::numeric_limits<double>::infinity(); // refused like one
+  }
+  return error != std::errc::invalid_argument && end == field.data() + field.size();
 }
 
 std::string Quote(std::string_view field)
@@ -332,9 +336,18 @@ SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettin
     {
       Fail(number, Text(columns.Name(columns.Radius), " requires a number > 0, got ", Quote(fields[columns.Radius]), "."));
     }
-    pack.X.push_back(settings.Scale * Number(number, fields, columns, columns.X));
-    pack.Y.push_back(settings.Scale * Number(number, fields, columns, columns.Y));
-    pack.Z.push_back(settings.Scale * Number(number, fields, columns, columns.Z));
+    const double numbers[4] = { Number(number, fields, columns, columns.X), Number(number, fields, columns, columns.Y),
+      Number(number, fields, columns, columns.Z), radius };
+    for (double value : numbers)
+    {
+      if (!std::isfinite(settings.Scale * value) || settings.Scale * radius == 0.0)
+      {
+        Fail(number, Text("Scale requires a factor that leaves every number finite and every radius > 0, got ", settings.Scale, "."));
+      }
+    }
+    pack.X.push_back(settings.Scale * numbers[0]);
+    pack.Y.push_back(settings.Scale * numbers[1]);
+    pack.Z.push_back(settings.Scale * numbers[2]);
     pack.Radius.push_back(settings.Scale * radius);
     if (columns.Mode >= 0)
     {

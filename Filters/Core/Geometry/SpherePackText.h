@@ -34,7 +34,7 @@ struct SpherePackText
 
 /**
  * Reads a table of spheres: one a line, columns separated by commas, semicolons, tabs or blanks, decimal point. Blank lines and
- * lines that begin with # are passed over; fields may be in double quotes.
+ * lines that begin with # are passed over; fields may be in double quotes, without separators inside.
  *
  * The first line is a header if any of its fields is not a number. Then the columns are found by name, in any case: x, y, z
  * (also Points:0, Points_0, …), the radius as "radius", "r" or "rad", or its double as "diameter", "d" or "diam"; "mode" and

@@ -62,7 +62,7 @@ CellContents MakeContents(const SpherePack& pack, const Window& window, const Mo
       const std::size_t rarest = *std::min_element(totals.Count.begin(), totals.Count.end());
       throw std::invalid_argument(Text("The cell requires at least one sphere of every mode, got none of mode ", m + 1, " (",
         totals.Count[m], " of the pack's ", pack.Size(), " spheres, ", totals.Count[m] * share,
-        " in a cell of this size): set CellSize to ", std::cbrt(0.5 * window.Volume() / rarest),
+        " in a cell of this size): set CellSize to ", 1.0001 * std::cbrt(0.5 * window.Volume() / rarest),
         " or more, or use fewer modes."));
     }
     contents.Radius.push_back(std::cbrt(totals.CubedRadius[m]));

@@ -75,7 +75,7 @@ public:
     this->Best.StartObjective = this->Best.Objective;
     centres = Centres(this->Best.Pack);
     std::string endedBy = this->Stopped ? "Stopped" : "Maximum iterations";
-    if (this->Best.Objective <= this->Settings.TargetObjective)
+    if (this->MeetsTarget())
     {
       endedBy = "Target objective";
     }
@@ -112,6 +112,11 @@ private:
     const int iteration = static_cast<int>(this->Best.Convergence.size());
     this->Best.Convergence.push_back({ phase, iteration, objective, overlapPercent });
     this->Ask(this->Best.Convergence.back());
+  }
+
+  bool MeetsTarget() const
+  {
+    return this->Best.Overlap.IsNone() && this->Best.Objective <= this->Settings.TargetObjective;
   }
 
   void RecordBest() { this->Record("removing overlap", this->Best.Objective, this->Best.Overlap.Percent); }
@@ -187,7 +192,7 @@ private:
         {
           tried = objective;
           this->Keep({ x, x + centres.size() });
-          if (this->Best.Overlap.IsNone() && this->Best.Objective <= this->Settings.TargetObjective)
+          if (this->MeetsTarget())
           {
             endedBy = "Target objective";
             return false;

@@ -13,7 +13,7 @@ namespace ruc
 namespace
 {
 // Where lags are coarse, knots are this share of the smaller radius apart at most; where they are fine, not below the other.
-// With these every S_rs is exact to 1e-6: see the unit test of tabulated against direct sums.
+// See the unit tests of tabulated against direct sums for the error.
 constexpr double CoarsestSpacing = 0.125;
 constexpr double FinestSpacing = 0.0075;
 

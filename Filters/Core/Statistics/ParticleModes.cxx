@@ -53,7 +53,9 @@ std::vector<double> EqualVolumeEdges(const std::vector<double>& diameters, int m
 
 std::vector<double> GivenEdges(const std::vector<double>& diameters, const std::vector<double>& edges)
 {
-  const bool ascending = std::adjacent_find(edges.begin(), edges.end(), std::greater_equal<>()) == edges.end();
+  // written so that an edge that is no number fails
+  const bool ascending =
+    std::adjacent_find(edges.begin(), edges.end(), [](double a, double b) { return !(a < b); }) == edges.end();
   if (edges.size() < 2 || !ascending || !(edges.front() >= 0.0) || !std::isfinite(edges.back()))
   {
     std::string got;
@@ -101,11 +103,15 @@ ParticleModes::ParticleModes(std::vector<double> diameters, const ModeSettings& 
   {
     throw std::invalid_argument(Text("MinimumDiameter requires a finite number >= 0, got ", settings.MinimumDiameter, "."));
   }
-  if (settings.NumberOfModes < 1 || settings.NumberOfModes > MostModes ||
-    static_cast<int>(settings.Edges.size()) > MostModes + 1)
+  const bool counted = settings.Method == ModeMethod::EqualWidth || settings.Method == ModeMethod::EqualVolume;
+  if (counted && (settings.NumberOfModes < 1 || settings.NumberOfModes > MostModes))
   {
-    throw std::invalid_argument(Text("NumberOfModes requires 1 <= NumberOfModes <= ", MostModes, ", got ",
-      std::max<std::size_t>(settings.NumberOfModes, settings.Edges.empty() ? 0 : settings.Edges.size() - 1), "."));
+    throw std::invalid_argument(
+      Text("NumberOfModes requires 1 <= NumberOfModes <= ", MostModes, ", got ", settings.NumberOfModes, "."));
+  }
+  if (settings.Edges.size() > MostModes + 1u)
+  {
+    throw std::invalid_argument(Text("Edges requires at most ", MostModes + 1, " diameters, got ", settings.Edges.size(), "."));
   }
   const double largest = diameters.empty() ? 0.0 : *std::max_element(diameters.begin(), diameters.end());
   diameters.erase(std::remove_if(diameters.begin(), diameters.end(), [&](double d) { return d < this->MinimumDiameter; }),

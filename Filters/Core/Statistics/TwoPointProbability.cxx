@@ -97,19 +97,32 @@ constexpr std::size_t ChunkOfCentres = 64;
 constexpr std::size_t MostTypes = 256;
 constexpr double LargestHistogram = 1 << 21;
 
-// A lower bound of the set covariance over all displacements of a length up to `reach`
+// A lower bound of the set covariance over all displacements of a length up to `reach`. The cube root of the set covariance
+// of a convex window is concave, so its least value over a polytope is at a corner; this one holds the ball: no component
+// above reach, no two together above sqrt(2) reach, no three above sqrt(3) reach.
 double LeastSetCovariance(const Window& window, double reach)
 {
+  const double steps[3] = { reach, (std::sqrt(2.0) - 1.0) * reach, (std::sqrt(3.0) - std::sqrt(2.0)) * reach };
+  double least = window.Volume();
   if (window.GetShape() == Window::Shape::Cylinder)
   {
     const Vector3& a = window.Axis;
-    // any direction across the axis
-    const Vector3 across = std::abs(a[0]) < 0.5 ? Vector3{ 0.0, a[2], -a[1] } : Vector3{ a[1], -a[0], 0.0 };
-    const double length = std::hypot(across[0], across[1], across[2]);
-    return window.SetCovariance(reach * across[0] / length, reach * across[1] / length, reach * across[2] / length) *
-      (1.0 - reach / window.Height);
+    // a direction across the axis
+    Vector3 b = std::abs(a[0]) < 0.5 ? Vector3{ 0.0, a[2], -a[1] } : Vector3{ a[1], -a[0], 0.0 };
+    const double length = std::hypot(b[0], b[1], b[2]);
+    for (int along : { 0, 1 })
+    {
+      const double x = steps[along], y = steps[1 - along] / length;
+      least = std::min(least, window.SetCovariance(x * a[0] + y * b[0], x * a[1] + y * b[1], x * a[2] + y * b[2]));
+    }
+    return least;
   }
-  return window.SetCovariance(reach, reach, reach);
+  int order[3] = { 0, 1, 2 };
+  do
+  {
+    least = std::min(least, window.SetCovariance(steps[order[0]], steps[order[1]], steps[order[2]]));
+  } while (std::next_permutation(order, order + 3));
+  return least;
 }
 }
 
@@ -142,7 +155,7 @@ public:
     this->Cells = std::make_unique<CellList>(this->Pack, this->Observed, cutoff);
     this->HeaviestPair = this->Observed.IsFullyPeriodic()
       ? 1.0
-      : this->Observed.Volume() / LeastSetCovariance(this->Observed, std::min(cutoff, this->Observed.Reach() * (1 - 1e-9)));
+      : this->Observed.Volume() / LeastSetCovariance(this->Observed, cutoff);
   }
 
   TwoPointProbability Result(const std::vector<std::int64_t>& sums) const
@@ -381,7 +394,7 @@ ExactPairSum::~ExactPairSum() = default;
 double ExactPairSum::LargestLag(const SpherePack& pack, const Window& window)
 {
   return window.IsFullyPeriodic() ? 4.0 * window.ShortestEdge()
-                                  : (window.Reach() - 2.0 * pack.LargestRadius()) * (1.0 - 1e-6);
+                                  : (window.Reach() - 2.0 * pack.LargestRadius()) * 0.999;
 }
 
 std::size_t ExactPairSum::NumberOfChunks() const

@@ -64,7 +64,8 @@ double TwoPointDifference(const TwoPointProbability& a, const TwoPointProbabilit
  *
  * The work is a number of chunks; a chunk adds integers to an array of SumsSize(), so the chunks may be shared out
  * in any way and the arrays of different threads and ranks added up. Few sphere types (mode and radius) share
- * tables over the distance, with an error below 1e-6 of each S_rs; many use the closed form for every pair.
+ * tables over the distance, with an error below 1e-6 c_r (1e-5 where lags are much finer than the spheres); many use the closed
+ * form for every pair.
  */
 class ExactPairSum
 {
@@ -77,8 +78,8 @@ public:
   ~ExactPairSum();
 
   /**
-   * The largest lag the window allows: the shortest non-periodic edge less the largest diameter, so that every pair that
-   * matters has a place in the window; four times the shortest edge where all axes are periodic.
+   * The largest lag the window allows: 0.999 of (the shortest non-periodic edge less the largest diameter), so that every
+   * pair that matters has a place in the window with some weight left; four times the shortest edge where all axes are periodic.
    */
   static double LargestLag(const SpherePack& pack, const Window& window);
 
