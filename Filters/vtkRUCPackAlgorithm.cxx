@@ -95,8 +95,15 @@ int vtkRUCPackAlgorithm::RequestData(vtkInformation*, vtkInformationVector** inp
   {
     this->Execute(vtkPointSet::GetData(inputs[0]), outputs, ranks);
   }
-  catch (const std::invalid_argument& e)
+  catch (const std::exception& e)
   {
+    // Bad input is found on all ranks alike. What else fails, such as memory, may fail on one alone; then only ending the
+    // job keeps the others from waiting for ever.
+    if (ranks.Size() > 1 && !dynamic_cast<const std::invalid_argument*>(&e))
+    {
+      vtkErrorMacro(<< this->GetLabel() << ": rank " << ranks.Rank() << " cannot go on: " << e.what());
+      throw;
+    }
     // Empty outputs rather than a failed request, after which the filters downstream would keep their former results
     clear();
     if (ranks.Rank() == 0)

@@ -361,6 +361,13 @@ ExactPairSum::ExactPairSum(const SpherePack& pack, const Window& window, const L
   {
     throw std::invalid_argument(Text("NumberOfLags requires 1 <= NumberOfLags <= ", MostLags, ", got ", lags.Count, "."));
   }
+  constexpr double mostNumbers = 5e7; // of all functions, 400 MB
+  const double pairs = 0.5 * (pack.NumberOfModes() + 1.0) * (pack.NumberOfModes() + 2.0);
+  if (pairs * (lags.Count + 1.0) > mostNumbers)
+  {
+    throw std::invalid_argument(Text("NumberOfLags requires at most ", static_cast<int>(mostNumbers / pairs), " lags for ",
+      pack.NumberOfModes(), " modes, got ", lags.Count, "."));
+  }
   const double largest = LargestLag(pack, window);
   if (!(largest > 0.0))
   {
