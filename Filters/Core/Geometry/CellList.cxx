@@ -62,16 +62,19 @@ CellList::CellList(const SpherePack& pack, const Window& window, double cutoff)
     }
   }
 
-  // A third of the cut-off makes a cell neighbourhood fit the sphere; fewer than four centres a cell make the walk
-  // over cells dearer than the distances it saves.
+  // A row of cells along x is one range, so rows are thick, to be few and long, and their cells short, to fit the sphere of
+  // the cut-off. Fewer than one centre a cell make the walk over cells dearer than the distances it saves.
+  constexpr double rowsPerCutoff = 2.0;
+  constexpr double cellsPerRowWidth = 4.0;
   const double volume = this->Axes[0].Edge * this->Axes[1].Edge * this->Axes[2].Edge;
-  double width = std::max(cutoff / 3.0, std::cbrt(4.0 * volume / pack.Size()));
+  double width = std::max(cutoff / rowsPerCutoff, std::cbrt(cellsPerRowWidth * volume / pack.Size()));
   const auto cells = [&]()
   {
     double product = 1.0;
     for (Axis& axis : this->Axes)
     {
-      axis.Count = static_cast<int>(std::clamp(axis.Edge / width, 1.0, 1e6));
+      const double length = &axis == this->Axes ? width / cellsPerRowWidth : width;
+      axis.Count = static_cast<int>(std::clamp(axis.Edge / length, 1.0, 1e6));
       axis.Width = axis.Edge / axis.Count;
       product *= axis.Count;
     }
