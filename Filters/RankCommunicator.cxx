@@ -5,7 +5,6 @@
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -23,10 +22,10 @@ void RankCommunicator::Sum(std::int64_t* values, std::size_t count)
 {
   if (this->Size() > 1)
   {
-    std::vector<vtkTypeInt64> own(values, values + count);
-    std::vector<vtkTypeInt64> sums(count);
-    this->Controller->AllReduce(own.data(), sums.data(), static_cast<vtkIdType>(count), vtkCommunicator::SUM_OP);
-    std::copy(sums.begin(), sums.end(), values);
+    static_assert(sizeof(vtkTypeInt64) == sizeof(std::int64_t), "the same integers under two names");
+    const std::vector<std::int64_t> own(values, values + count);
+    this->Controller->AllReduce(reinterpret_cast<const vtkTypeInt64*>(own.data()), reinterpret_cast<vtkTypeInt64*>(values),
+      static_cast<vtkIdType>(count), vtkCommunicator::SUM_OP);
   }
 }
 

@@ -5,6 +5,8 @@
 #include "Geometry/SphereOverlap.h"
 #include "Statistics/PairLoops.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,11 +34,14 @@ void OverChunks(const Communicator& ranks, std::size_t centres, std::vector<std:
   const std::int64_t chunks = static_cast<std::int64_t>((centres + ChunkOfCentres - 1) / ChunkOfCentres);
 #pragma omp parallel
   {
-    std::vector<std::int64_t> own(sums.size(), 0);
+    // A thread by itself adds to the sums at once
+    const bool alone = omp_get_num_threads() == 1;
+    std::vector<std::int64_t> own(alone ? 0 : sums.size(), 0);
+    std::int64_t* target = alone ? sums.data() : own.data();
 #pragma omp for schedule(dynamic) nowait
     for (std::int64_t chunk = ranks.Rank(); chunk < chunks; chunk += ranks.Size())
     {
-      pass(chunk * ChunkOfCentres, std::min((chunk + 1) * ChunkOfCentres, centres), own.data());
+      pass(chunk * ChunkOfCentres, std::min((chunk + 1) * ChunkOfCentres, centres), target);
     }
 #pragma omp critical
     std::transform(own.begin(), own.end(), sums.begin(), sums.begin(), std::plus<>());
@@ -48,7 +53,7 @@ CellObjective::CellObjective(const CellContents& contents, const TwoPointProbabi
   : Contents(contents)
   , Target(target)
   , Ranks(communicator)
-  , Histogram(CellTypes(contents), target.Lags)
+  , Histogram(CellTypes(contents), target.Lags, SearchKnots)
   , Probability(target.Modes, target.Lags)
 {
   double volume = 0.0;

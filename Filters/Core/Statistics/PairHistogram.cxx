@@ -7,7 +7,7 @@
 
 namespace ruc
 {
-PairHistogram::PairHistogram(std::vector<SphereType> types, const LagGrid& lags)
+PairHistogram::PairHistogram(std::vector<SphereType> types, const LagGrid& lags, const KnotResolution& resolution)
   : Types(std::move(types))
 {
   const int count = this->NumberOfTypes();
@@ -23,7 +23,7 @@ PairHistogram::PairHistogram(std::vector<SphereType> types, const LagGrid& lags)
   {
     for (int q = p; q < count; ++q)
     {
-      this->Kernels.emplace_back(this->Types[p].Radius, this->Types[q].Radius, lags, this->Cutoff);
+      this->Kernels.emplace_back(this->Types[p].Radius, this->Types[q].Radius, lags, this->Cutoff, resolution);
       const PairKernel& kernel = this->Kernels.back();
       for (int place : { p * count + q, q * count + p })
       {

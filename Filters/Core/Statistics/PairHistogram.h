@@ -33,7 +33,7 @@ struct SphereType
 class PairHistogram
 {
 public:
-  PairHistogram(std::vector<SphereType> types, const LagGrid& lags);
+  PairHistogram(std::vector<SphereType> types, const LagGrid& lags, const KnotResolution& resolution = ExactKnots);
 
   int NumberOfTypes() const { return static_cast<int>(this->Types.size()); }
   int NumberOfClasses() const { return static_cast<int>(this->Kernels.size()); }

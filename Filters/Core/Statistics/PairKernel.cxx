@@ -12,11 +12,6 @@ namespace ruc
 {
 namespace
 {
-// Where lags are coarse, knots are this share of the smaller radius apart at most; where they are fine, not below the other.
-// See the unit tests of tabulated against direct sums for the error.
-constexpr double CoarsestSpacing = 0.125;
-constexpr double FinestSpacing = 0.0075;
-
 RUC_VECTOR_CLONES
 void Accumulate(int count, double alpha, const double* moment, double beta, const double* slope, int step, double* sums)
 {
@@ -68,15 +63,15 @@ void Project(int count, const double* lambda, const double* moment, const double
 }
 }
 
-double PairKernel::KnotSpacing(double smallerRadius, const LagGrid& lags)
+double PairKernel::KnotSpacing(double smallerRadius, const LagGrid& lags, const KnotResolution& resolution)
 {
-  const double finest = FinestSpacing * smallerRadius;
+  const double finest = resolution.Finest * smallerRadius;
   return lags.Spacing < finest ? lags.Spacing * std::floor(finest / lags.Spacing)
-                               : lags.Spacing / std::ceil(lags.Spacing / (CoarsestSpacing * smallerRadius));
+                               : lags.Spacing / std::ceil(lags.Spacing / (resolution.Coarsest * smallerRadius));
 }
 
-PairKernel::PairKernel(double a, double b, const LagGrid& lags, double cutoff)
-  : Spacing(KnotSpacing(std::min(a, b), lags))
+PairKernel::PairKernel(double a, double b, const LagGrid& lags, double cutoff, const KnotResolution& resolution)
+  : Spacing(KnotSpacing(std::min(a, b), lags, resolution))
   , Lags(lags)
   , RadiusA(a)
   , RadiusB(b)

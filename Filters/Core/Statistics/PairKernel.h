@@ -17,6 +17,21 @@ struct LagGrid
 };
 
 /**
+ * How far the knots of a PairKernel may be apart, in units of the smaller radius. Knots divide the lag spacing into the fewest
+ * equal parts of at most `Coarsest`, so that the kinks of g at d = a + b + r_k fall on knots; where the lag spacing is less than
+ * `Finest`, as many lags share a knot as fit into that.
+ */
+struct KnotResolution
+{
+  double Coarsest, Finest;
+};
+
+/** For sums with an error below 1e-6 c_r. */
+constexpr KnotResolution ExactKnots = { 0.125, 0.0075 };
+/** For the objective of a search: F2 within 1e-3 of its value, from tables of a third of the size. */
+constexpr KnotResolution SearchKnots = { 0.125, 0.125 };
+
+/**
  * The orientation-averaged overlap g_ab(r_k; d) of one pair of radii, tabulated over the distance d.
  *
  * Distances lie on knots d_m = First + m Spacing, m = 0 to Intervals, which reach from d <= 0 to the
@@ -31,14 +46,10 @@ class PairKernel
 {
 public:
   /** No distance may exceed `cutoff` >= a + b. */
-  PairKernel(double a, double b, const LagGrid& lags, double cutoff);
+  PairKernel(double a, double b, const LagGrid& lags, double cutoff, const KnotResolution& resolution = ExactKnots);
 
-  /**
-   * The spacing of the knots for a pair with this smaller radius: a whole fraction of the lag spacing, so that the kinks of g at
-   * d = a + b + r_k fall on knots, and fine enough for the smaller sphere; a whole multiple of the lag spacing only where that is
-   * far finer than needed.
-   */
-  static double KnotSpacing(double smallerRadius, const LagGrid& lags);
+  /** The spacing of the knots for a pair with this smaller radius. */
+  static double KnotSpacing(double smallerRadius, const LagGrid& lags, const KnotResolution& resolution = ExactKnots);
 
   double First;
   double Spacing;
