@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the filters from file to replicas and writes every number of their outputs, bit by bit, and a picture.
+
+    pvpython RunChain.py pack.csv numbers.txt picture.png [port ranks]      with a port: by a server
+"""
+import sys
+
+import paraview.simple as pv
+from paraview import servermanager
+from paraview.servermanager import Fetch
+
+pack, numbers, picture = sys.argv[1:4]
+if len(sys.argv) > 4:
+    pv.Connect("localhost", int(sys.argv[4]))
+    assert servermanager.ActiveConnection.GetNumberOfDataPartitions() == int(sys.argv[5])
+    pv.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0.0
+
+reader = pv.SpherePackReader(FileName=pack, BoxSize=[10, 10, 10], BoxPeriodic=[1, 1, 1])
+modes = pv.ParticleModes(Input=reader, Method="One Per Size")
+one_point = pv.OnePointProbability(Input=modes)
+two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=40)
+cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags=40, MaximumIterations=10)
+replicas = pv.PeriodicReplicas(Input=cell)
+
+OUTPUTS = {"modes": (modes, 2), "one point": (one_point, 1), "two point": (two_point, 3), "cell": (cell, 3), "replicas": (replicas, 1)}
+lines = []
+for name, (source, ports) in OUTPUTS.items():
+    source.UpdatePipeline()
+    for port in range(ports):
+        info = source.GetDataInformation(port)
+        if info.GetDataSetTypeAsString() == "vtkTable":
+            data = Fetch(source, 0, idx=port)  # rank 0's part, which must be all of it
+            assert info.GetNumberOfRows() == data.GetNumberOfRows() > 0, (name, port)
+            arrays = [data.GetColumn(i) for i in range(data.GetNumberOfColumns())]
+            count = data.GetNumberOfRows()
+        else:
+            data = Fetch(source, idx=port)
+            attributes = data.GetPointData()
+            arrays = [attributes.GetArray(i) for i in range(attributes.GetNumberOfArrays())]
+            arrays = [data.GetPoints().GetData()] + sorted(arrays, key=lambda a: a.GetName())  # gathering leaves them in any order
+            count = data.GetNumberOfPoints()
+        rows = [" ".join(a.GetValue(i) if a.IsA("vtkStringArray") else " ".join(map(float.hex, map(float, a.GetTuple(i)))) for a in arrays)
+                for i in range(count)]
+        if name == "replicas":
+            rows.sort()  # spread over the ranks, so in another order
+        lines += [f"{name} {port}: " + " ".join(a.GetName() for a in arrays)] + rows
+with open(numbers, "w") as file:
+    file.write("\n".join(lines) + "\n")
+
+# Glyphs, since the representation Spheres loses spheres where two ranks draw (ParaView 5.11 as Debian 12 has it)
+view = pv.CreateView("RenderView", ViewSize=[400, 300], OrientationAxesVisibility=0)
+display = pv.Show(replicas, view, Representation="3D Glyphs", GlyphType="Sphere", Scaling=1, ScaleMode="Magnitude",
+                  SelectScaleArray="Radius", ScaleFactor=2.0)
+pv.Show(servermanager.OutputPort(replicas, 1), view)
+view.ResetCamera()
+pv.SaveScreenshot(picture, view, ImageResolution=view.ViewSize)
+print("remote rendering:", view.GetClientSideObject().GetUseDistributedRenderingForRender())
+pv.Delete(view)  # left to the end of Python the window outlives its GL context: GLXBadContext
+del view, display

@@ -1,0 +1,44 @@
+# SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Opens the state that menu.xml has saved: properties as set in the panel, spheres drawn as such, the picture.
+
+    pvpython TestState.py state.pvsm baseline.png picture.png
+
+Where the search is meant to find another cell, look at the new picture and copy it over the baseline.
+"""
+import sys
+
+from paraview.servermanager import Fetch
+from paraview.simple import *
+
+from ImageDifference import image_difference
+
+state, baseline, picture = sys.argv[1:]
+LoadState(state)
+reader, modes, cell, replicas, one_point, two_point = (FindSource(name) for name in (
+    "pack.csv", "ParticleModes1", "UnitCellReconstruction1", "PeriodicReplicas1", "OnePointProbability1", "TwoPointProbability1"))
+view = FindViewOrCreate("RenderView1", "RenderView")
+
+assert list(reader.BoxSize) == [10.0, 10.0, 10.0]
+assert modes.Method == "One Per Size"
+assert (cell.NumberOfParticles, cell.NumberOfLags, cell.MaximumIterations) == (30, 40, 5)
+assert (replicas.Mode, list(replicas.Tiles)) == ("Tiling", [2, 1, 1])
+for source in reader, modes, cell, replicas:
+    display = GetRepresentation(source, view)
+    assert display.Representation == "Spheres", (source, display.Representation)
+    assert Fetch(source).GetPointData().GetArray("Radius")
+assert Fetch(replicas).GetNumberOfPoints() == 2 * Fetch(cell).GetNumberOfPoints() == 60
+assert Fetch(one_point).GetNumberOfRows() == 4
+assert Fetch(two_point).GetNumberOfRows() == two_point.NumberOfLags + 1 == 41
+
+view.ViewSize = [400, 300]
+view.OrientationAxesVisibility = 0
+view.ResetActiveCameraToNegativeZ()
+view.ResetCamera()
+SaveScreenshot(picture, view, ImageResolution=view.ViewSize)
+error = image_difference(picture, baseline)
+print(f"difference of the pictures: {error}")
+# Left to the end of Python the window outlives its GL context: GLXBadContext
+Delete(view)
+del view, display
+sys.exit(0 if error < 20.0 else 1)
