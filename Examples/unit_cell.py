@@ -66,11 +66,10 @@ class Job:
         self.cell = UnitCellReconstruction(Input=self.modes, NumberOfParticles=args.particles, MaximumLag=args.maximum_lag,
                                            NumberOfLags=args.lags, TargetObjective=args.target,
                                            MaximumIterations=args.iterations, TimeLimit=args.time_limit, Seed=args.seed)
-        self.replicas = PeriodicReplicas(Input=self.cell)
-        self.surfaces = PeriodicReplicas(Input=self.cell, ClipToBox=1)
+        self.replicas = PeriodicReplicas(Input=self.cell, ClipToBox=1)
         # What is written: file, filter, output port
         self.point_files = [("pack.vtp", self.modes, 0), ("cell.vtp", self.cell, 0), ("replicas.vtp", self.replicas, 0),
-                            ("outline.vtp", self.replicas, 1), ("surfaces.vtp", self.surfaces, 0)]
+                            ("outline.vtp", self.replicas, 1), ("surfaces.vtp", self.replicas, 2)]
         self.table_files = [("modes.csv", self.modes, 1), ("one_point.csv", self.one_point, 0),
                             ("two_point_pack.csv", self.two_point, 0), ("two_point_checks.csv", self.two_point, 1),
                             ("convergence.csv", self.cell, 1), ("two_point.csv", self.cell, 2)]
@@ -335,7 +334,7 @@ def check_replicas(job):
         original, image = originals[arrays.GetArray("Id").GetValue(i)], arrays.GetArray("Image").GetTuple3(i)
         moved = [original[q] + image[q] * box[q] for q in range(3)]
         require(math.dist(moved, replicas.GetPoint(i)) < 1e-9, f"copy {i} is not its original moved by the box")
-    bounds = fetch(job.surfaces).GetBounds()
+    bounds = fetch(job.replicas, 2).GetBounds()
     require(all(close(bounds[2 * q], 0.0, 1e-3) and close(bounds[2 * q + 1], box[q], 1e-3) for q in range(3)),
             f"the surfaces end at {bounds}, not at the box")
 

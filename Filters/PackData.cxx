@@ -183,7 +183,8 @@ vtkDataArray* RequireArray(vtkPointSet* input, const char* name)
       names += Text(names.empty() ? "'" : ", '", other ? other : "", "'");
     }
     throw std::invalid_argument(
-      Text("A point array '", name, "' is required, got ", names.empty() ? "no point arrays" : names, "."));
+      Text("A point array '", name, "' is required, got ", names.empty() ? "no point arrays" : names,
+        name == std::string("Mode") ? "; Particle Modes makes it." : "."));
   }
   vtkDataArray* array = vtkDataArray::SafeDownCast(any);
   if (!array || any->GetNumberOfComponents() != 1)

@@ -60,8 +60,23 @@ Copies TakeCopies(const Copies& source, const ruc::Window& box, const std::vecto
   return copies;
 }
 
-void AddImages(const Copies& copies, vtkPolyData* output)
+// This rank's part
+Copies ShareOf(const Copies& all, const RankCommunicator& ranks)
 {
+  Copies own;
+  const std::size_t begin = all.Pack.Size() * ranks.Rank() / ranks.Size();
+  const std::size_t end = all.Pack.Size() * (ranks.Rank() + 1) / ranks.Size();
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    own.Pack.Append(all.Pack, i);
+    own.Image.push_back(all.Image[i]);
+  }
+  return own;
+}
+
+void FillPoints(const Copies& copies, vtkPolyData* output)
+{
+  PackData::FillPolyData(copies.Pack, output);
   vtkNew<vtkIntArray> images;
   images->SetName("Image");
   images->SetNumberOfComponents(3);
@@ -114,9 +129,11 @@ void CutSurface(const ruc::Vector3& centre, double radius, const ruc::Window& bo
   surface->ShallowCopy(clip->GetOutput());
 }
 
-// `points` are the centres with their arrays; every point of a surface takes those of its centre
-void FillSurfaces(const Copies& copies, vtkPolyData* points, const ruc::Window& box, int resolution, vtkPolyData* output)
+// Every point of a surface takes the arrays of its centre
+void FillSurfaces(const Copies& copies, const ruc::Window& box, int resolution, vtkPolyData* output)
 {
+  vtkNew<vtkPolyData> points;
+  FillPoints(copies, points);
   vtkNew<vtkAppendPolyData> append;
   for (std::size_t i = 0; i < copies.Pack.Size(); ++i)
   {
@@ -177,7 +194,7 @@ void FillOutline(const ruc::Window& box, const std::array<int, 3>& tiles, vtkPol
 
 vtkRUCPeriodicReplicas::vtkRUCPeriodicReplicas()
 {
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 int vtkRUCPeriodicReplicas::FillOutputPortInformation(int, vtkInformation* info)
@@ -229,37 +246,29 @@ void vtkRUCPeriodicReplicas::Execute(vtkPointSet* input, vtkInformationVector* o
   }
   const ruc::Window block = ruc::Window::MakeBox(
     box.Origin, { box.Size[0] * tiles[0], box.Size[1] * tiles[1], box.Size[2] * tiles[2] }, box.Periodic);
+  Copies filled = all; // every sphere that reaches into the block
   if (this->Mode == BOUNDARY_COPIES || this->ClipToBox)
   {
-    all = TakeCopies(all, block, ruc::BoundaryCopies(all.Pack, block), tiles);
+    filled = TakeCopies(all, block, ruc::BoundaryCopies(all.Pack, block), tiles);
+  }
+  if (this->Mode == BOUNDARY_COPIES)
+  {
+    all = filled;
   }
 
-  Copies own;
-  const std::size_t begin = all.Pack.Size() * ranks.Rank() / ranks.Size();
-  const std::size_t end = all.Pack.Size() * (ranks.Rank() + 1) / ranks.Size();
-  for (std::size_t i = begin; i < end; ++i)
-  {
-    own.Pack.Append(all.Pack, i);
-    own.Image.push_back(all.Image[i]);
-  }
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-  vtkNew<vtkPolyData> points;
-  PackData::FillPolyData(own.Pack, points);
-  AddImages(own, points);
-  if (this->ClipToBox)
-  {
-    FillSurfaces(own, points, block, this->SurfaceResolution, output);
-  }
-  else
-  {
-    output->ShallowCopy(points);
-  }
+  FillPoints(ShareOf(all, ranks), output);
   vtkPolyData* outline = vtkPolyData::GetData(outputs, 1);
   if (ranks.Rank() == 0)
   {
     FillOutline(box, tiles, outline);
   }
-  for (vtkPolyData* data : { output, outline })
+  vtkPolyData* surfaces = vtkPolyData::GetData(outputs, 2);
+  if (this->ClipToBox)
+  {
+    FillSurfaces(ShareOf(filled, ranks), block, this->SurfaceResolution, surfaces);
+  }
+  for (vtkPolyData* data : { output, outline, surfaces })
   {
     PackData::AddField(data, "Method", std::string(this->Mode == TILING ? "Tiling" : "Boundary Copies"));
     PackData::AddField(data, "Tiles", std::vector<long long>{ tiles[0], tiles[1], tiles[2] });
@@ -267,7 +276,7 @@ void vtkRUCPeriodicReplicas::Execute(vtkPointSet* input, vtkInformationVector* o
     PackData::AddField(data, "NumberOfCopies", std::vector<long long>{ static_cast<long long>(all.Pack.Size()) });
     // Copies beyond the box are no pack in it; a whole tiling is one again
     PackData::AddOrigin(data, observed);
-    if (this->Mode == TILING && !this->ClipToBox)
+    if (this->Mode == TILING)
     {
       PackData::AddWindow(data, block);
     }

@@ -6,11 +6,12 @@
  *
  * Input: a sphere pack with a periodic box (vtkRUCPackAlgorithm). Output 0, spread over the ranks: the spheres and their copies
  * with `Radius`, `Mode` (where the input has it), `Id` of the original and `Image` (3 int), the copy's number of box edges from the
- * original; originals have Image 0 0 0. Output 1, on rank 0: the outlines of the box or of every tile, as lines.
+ * original; originals have Image 0 0 0. Output 1, on rank 0: the outlines of the box or of every tile, as lines. Output 2, with
+ * ClipToBox, spread over the ranks: the surfaces of all spheres that reach into the box (or block of tiles), cut flush with its faces
+ * and closed there, with the same arrays.
  *
  * BOUNDARY_COPIES adds those images that reach into the box: a sphere that crosses a face is then there twice, one on an edge of
- * the box four times, one at a corner eight times. TILING repeats the whole cell. With ClipToBox output 0 is no pack but the
- * spheres' surfaces, cut flush with the faces of the box (or block of tiles) and closed there.
+ * the box four times, one at a corner eight times. TILING repeats the whole cell.
  */
 #ifndef vtkRUCPeriodicReplicas_h
 #define vtkRUCPeriodicReplicas_h
@@ -41,7 +42,7 @@ public:
   vtkGetVector3Macro(Tiles, int);
   ///@}
   ///@{
-  /** Surfaces of the spheres cut at the box instead of points. Default: off. */
+  /** Make the cut surfaces, output 2. Default: off. */
   vtkSetMacro(ClipToBox, bool);
   vtkGetMacro(ClipToBox, bool);
   ///@}

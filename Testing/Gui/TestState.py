@@ -19,7 +19,7 @@ reader, modes, cell, replicas, one_point, two_point = (FindSource(name) for name
     "pack.csv", "ParticleModes1", "UnitCellReconstruction1", "PeriodicReplicas1", "OnePointProbability1", "TwoPointProbability1"))
 view = FindViewOrCreate("RenderView1", "RenderView")
 
-assert list(reader.BoxSize) == [10.0, 10.0, 10.0]
+assert list(reader.BoxSize) == [10.0, 10.0, 10.0] and list(reader.BoxPeriodic) == [1, 1, 1]
 assert modes.Method == "One Per Size"
 assert (cell.NumberOfParticles, cell.NumberOfLags, cell.MaximumIterations) == (30, 40, 5)
 assert (replicas.Mode, list(replicas.Tiles)) == ("Tiling", [2, 1, 1])

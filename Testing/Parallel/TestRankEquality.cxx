@@ -91,9 +91,11 @@ void Compare(vtkMPIController* controller, const std::string& name, vtkPolyData*
     vtkDataObject* expected = alone->GetOutputDataObject(port);
     vtkDataObject* got = together->GetOutputDataObject(port);
     const std::string what = name + ", output " + std::to_string(port);
-    Check(expected->GetNumberOfElements(vtkDataObject::POINT) + expected->GetNumberOfElements(vtkDataObject::ROW) > 0,
-      what + " is not empty");
-    if (spreadOutput && port == 0)
+    // Tiles are asked for without their surfaces
+    Check((expected->GetNumberOfElements(vtkDataObject::POINT) + expected->GetNumberOfElements(vtkDataObject::ROW) > 0) !=
+        (name.find("tiles") == 0 && port == 2),
+      what + " is empty or not, as asked");
+    if (spreadOutput && port != 1)
     {
       // the pieces in the order of the ranks are the whole
       const vtkIdType own = got->GetNumberOfElements(vtkDataObject::POINT);
@@ -176,7 +178,13 @@ int main(int argc, char* argv[])
           });
         if (periodic)
         {
-          Compare<vtkRUCPeriodicReplicas>(controller, "copies, " + name, piece, whole, [](auto*) {}, true);
+          Compare<vtkRUCPeriodicReplicas>(controller, "copies, " + name, piece, whole,
+            [](auto* f)
+            {
+              f->SetClipToBox(true);
+              f->SetSurfaceResolution(8);
+            },
+            true);
           Compare<vtkRUCPeriodicReplicas>(
             controller, "tiles, " + name, piece, whole,
             [](auto* f)
