@@ -55,13 +55,15 @@ std::vector<double> LocalSpheres(vtkPointSet* input, bool withModes)
     sphere[5] = id && id->GetNumberOfComponents() == 1 ? id->GetTuple1(i) : -1.0;
     if (!(sphere[4] == std::floor(sphere[4]) && std::abs(sphere[4]) <= 2147483647.0))
     {
-      throw std::invalid_argument(Text("Array 'Mode' requires whole numbers, got ", sphere[4], "."));
+      throw std::invalid_argument(
+        Text("Array 'Mode' requires whole numbers, got ", sphere[4], "."));
     }
   }
   return numbers;
 }
 
-// The window in the field data, as numbers: what it is (0 none, 1 box, 2 cylinder) and its parameters
+// The window in the field data, as numbers: what it is (0 none, 1 box, 2 cylinder) and its
+// parameters
 constexpr int WindowNumbers = 10;
 
 bool ReadField(vtkFieldData* fields, const char* name, int count, double* values)
@@ -73,8 +75,8 @@ bool ReadField(vtkFieldData* fields, const char* name, int count, double* values
   }
   if (array->GetNumberOfValues() != count)
   {
-    throw std::invalid_argument(
-      Text("Field data '", name, "' requires ", count, " number(s), got ", array->GetNumberOfValues(), "."));
+    throw std::invalid_argument(Text("Field data '", name, "' requires ", count, " number(s), got ",
+      array->GetNumberOfValues(), "."));
   }
   for (int i = 0; i < count; ++i)
   {
@@ -101,7 +103,8 @@ std::vector<double> LocalWindow(vtkPointSet* input)
     ReadField(fields, "CylinderAxis", 3, &window[4]);
     if (!ReadField(fields, "CylinderHeight", 1, &window[8]))
     {
-      throw std::invalid_argument("Field data 'CylinderHeight' is required beside 'CylinderRadius', got none.");
+      throw std::invalid_argument(
+        "Field data 'CylinderHeight' is required beside 'CylinderRadius', got none.");
     }
   }
   return window;
@@ -113,21 +116,25 @@ ruc::Window MakeWindow(const std::vector<double>& w)
   {
     return ruc::Window::MakeCylinder({ w[1], w[2], w[3] }, { w[4], w[5], w[6] }, w[7], w[8]);
   }
-  return ruc::Window::MakeBox({ w[1], w[2], w[3] }, { w[4], w[5], w[6] }, { w[7] != 0.0, w[8] != 0.0, w[9] != 0.0 });
+  return ruc::Window::MakeBox(
+    { w[1], w[2], w[3] }, { w[4], w[5], w[6] }, { w[7] != 0.0, w[8] != 0.0, w[9] != 0.0 });
 }
 
 ruc::Window MakeWindow(const WindowProperties& p)
 {
   if (p.HasBox() && p.HasCylinder())
   {
-    throw std::invalid_argument("Either BoxSize or CylinderRadius and CylinderHeight is required, got both.");
+    throw std::invalid_argument(
+      "Either BoxSize or CylinderRadius and CylinderHeight is required, got both.");
   }
   if (p.HasCylinder())
   {
     return ruc::Window::MakeCylinder({ p.CylinderBase[0], p.CylinderBase[1], p.CylinderBase[2] },
-      { p.CylinderAxis[0], p.CylinderAxis[1], p.CylinderAxis[2] }, p.CylinderRadius, p.CylinderHeight);
+      { p.CylinderAxis[0], p.CylinderAxis[1], p.CylinderAxis[2] }, p.CylinderRadius,
+      p.CylinderHeight);
   }
-  return ruc::Window::MakeBox({ p.BoxOrigin[0], p.BoxOrigin[1], p.BoxOrigin[2] }, { p.BoxSize[0], p.BoxSize[1], p.BoxSize[2] },
+  return ruc::Window::MakeBox({ p.BoxOrigin[0], p.BoxOrigin[1], p.BoxOrigin[2] },
+    { p.BoxSize[0], p.BoxSize[1], p.BoxSize[2] },
     { p.BoxPeriodic[0] != 0, p.BoxPeriodic[1] != 0, p.BoxPeriodic[2] != 0 });
 }
 
@@ -142,7 +149,8 @@ ruc::Window BoundsOfCentres(const ruc::SpherePack& pack)
     size[q] = *high - *low;
     if (!(size[q] > 0.0))
     {
-      throw std::invalid_argument(Text("A window is required (BoxSize, or CylinderRadius and CylinderHeight): the pack brings none, "
+      throw std::invalid_argument(Text("A window is required (BoxSize, or CylinderRadius and "
+                                       "CylinderHeight): the pack brings none, "
                                        "and the bounds of its centres have no volume."));
     }
   }
@@ -182,15 +190,15 @@ vtkDataArray* RequireArray(vtkPointSet* input, const char* name)
       const char* other = input->GetPointData()->GetArrayName(a);
       names += Text(names.empty() ? "'" : ", '", other ? other : "", "'");
     }
-    throw std::invalid_argument(
-      Text("A point array '", name, "' is required, got ", names.empty() ? "no point arrays" : names,
-        name == std::string("Mode") ? "; Particle Modes makes it." : "."));
+    throw std::invalid_argument(Text("A point array '", name, "' is required, got ",
+      names.empty() ? "no point arrays" : names,
+      name == std::string("Mode") ? "; Particle Modes makes it." : "."));
   }
   vtkDataArray* array = vtkDataArray::SafeDownCast(any);
   if (!array || any->GetNumberOfComponents() != 1)
   {
-    throw std::invalid_argument(Text("Array '", name, "' requires numbers of one component, got ", any->GetDataTypeAsString(),
-      " of ", any->GetNumberOfComponents(), " component(s)."));
+    throw std::invalid_argument(Text("Array '", name, "' requires numbers of one component, got ",
+      any->GetDataTypeAsString(), " of ", any->GetNumberOfComponents(), " component(s)."));
   }
   return array;
 }
@@ -248,8 +256,10 @@ ruc::SpherePack GatherPack(vtkPointSet* input, bool withModes, RankCommunicator&
       pack.Mode[i] = static_cast<int>(sphere[4]);
     }
   }
-  // The numbers must be comparable before they can be sorted, and sorted before equal centres can be found.
-  const bool comparable = std::none_of(numbers.begin(), numbers.end(), [](double v) { return std::isnan(v); });
+  // The numbers must be comparable before they can be sorted, and sorted before equal centres can
+  // be found.
+  const bool comparable =
+    std::none_of(numbers.begin(), numbers.end(), [](double v) { return std::isnan(v); });
   if (comparable)
   {
     ruc::SortCanonically(pack);
@@ -300,14 +310,15 @@ ObservedPack GatherObservedPack(
     observed.WindowSource = "Bounds of the centres";
   }
   vtkAbstractArray* unit = input ? input->GetFieldData()->GetAbstractArray("LengthUnit") : nullptr;
-  observed.LengthUnit = ranks.FirstText(unit && unit->GetNumberOfValues() > 0 ? unit->GetVariantValue(0).ToString() : "");
+  observed.LengthUnit = ranks.FirstText(
+    unit && unit->GetNumberOfValues() > 0 ? unit->GetVariantValue(0).ToString() : "");
   if (properties.Crop)
   {
     observed.Pack = ruc::CropToWindow(observed.Pack, observed.Observed);
     if (observed.Pack.Empty())
     {
-      throw std::invalid_argument(
-        Text("The ", observed.Observed.Describe(), " requires at least one centre inside, got none."));
+      throw std::invalid_argument(Text(
+        "The ", observed.Observed.Describe(), " requires at least one centre inside, got none."));
     }
     ruc::ValidatePack(observed.Pack, withModes);
   }
@@ -391,16 +402,21 @@ void AddWindow(vtkDataObject* data, const ruc::Window& window)
 {
   if (window.GetShape() == ruc::Window::Shape::Cylinder)
   {
-    AddField(data, "CylinderBase", std::vector<double>{ window.Base[0], window.Base[1], window.Base[2] });
-    AddField(data, "CylinderAxis", std::vector<double>{ window.Axis[0], window.Axis[1], window.Axis[2] });
+    AddField(
+      data, "CylinderBase", std::vector<double>{ window.Base[0], window.Base[1], window.Base[2] });
+    AddField(
+      data, "CylinderAxis", std::vector<double>{ window.Axis[0], window.Axis[1], window.Axis[2] });
     AddField(data, "CylinderRadius", std::vector<double>{ window.Radius });
     AddField(data, "CylinderHeight", std::vector<double>{ window.Height });
   }
   else
   {
-    AddField(data, "BoxOrigin", std::vector<double>{ window.Origin[0], window.Origin[1], window.Origin[2] });
-    AddField(data, "BoxSize", std::vector<double>{ window.Size[0], window.Size[1], window.Size[2] });
-    AddField(data, "BoxPeriodic", std::vector<long long>{ window.Periodic[0], window.Periodic[1], window.Periodic[2] });
+    AddField(data, "BoxOrigin",
+      std::vector<double>{ window.Origin[0], window.Origin[1], window.Origin[2] });
+    AddField(
+      data, "BoxSize", std::vector<double>{ window.Size[0], window.Size[1], window.Size[2] });
+    AddField(data, "BoxPeriodic",
+      std::vector<long long>{ window.Periodic[0], window.Periodic[1], window.Periodic[2] });
   }
 }
 
@@ -411,19 +427,21 @@ void AddOrigin(vtkDataObject* data, const ObservedPack& pack)
   AddField(data, "PluginVersion", std::string(RUC_VERSION));
 }
 
-void AddPackSummary(
-  vtkDataObject* data, const ObservedPack& pack, const std::vector<double>& fractions, double overlapPercent)
+void AddPackSummary(vtkDataObject* data, const ObservedPack& pack,
+  const std::vector<double>& fractions, double overlapPercent)
 {
   AddWindow(data, pack.Observed);
   AddOrigin(data, pack);
-  AddField(data, "NumberOfSpheres", std::vector<long long>{ static_cast<long long>(pack.Pack.Size()) });
+  AddField(
+    data, "NumberOfSpheres", std::vector<long long>{ static_cast<long long>(pack.Pack.Size()) });
   AddField(data, "VolumeFractions", fractions);
   AddField(data, "OverlapPercent", std::vector<double>{ overlapPercent });
 }
 
 std::string OverlapWarning(double percent)
 {
-  return Text(": the spheres overlap by ", percent, " % of their volume, which counts twice; above ", TolerableOverlap,
+  return Text(": the spheres overlap by ", percent,
+    " % of their volume, which counts twice; above ", TolerableOverlap,
     " % the result is no longer exact.");
 }
 

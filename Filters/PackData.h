@@ -44,25 +44,29 @@ struct WindowProperties
 };
 
 /**
- * Collective: the whole pack on every rank, however it was spread over them, in canonical order (ruc::SortCanonically). `Mode`
- * is required and read only `withModes`; `Id` is the input's, or the place in that order.
- * Throws std::invalid_argument, the same on every rank, where an array is missing or not of the form required.
+ * Collective: the whole pack on every rank, however it was spread over them, in canonical order
+ * (ruc::SortCanonically). `Mode` is required and read only `withModes`; `Id` is the input's, or the
+ * place in that order. Throws std::invalid_argument, the same on every rank, where an array is
+ * missing or not of the form required.
  */
 ruc::SpherePack GatherPack(vtkPointSet* input, bool withModes, RankCommunicator& ranks);
 
 /**
- * Collective: GatherPack, its window (field data of the pack, else the properties, else the bounds of the centres), and
- * every check that estimators need: ruc::ValidatePack and ruc::ValidateWindow.
+ * Collective: GatherPack, its window (field data of the pack, else the properties, else the bounds
+ * of the centres), and every check that estimators need: ruc::ValidatePack and ruc::ValidateWindow.
  */
-ObservedPack GatherObservedPack(vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks);
+ObservedPack GatherObservedPack(
+  vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks);
 
-/** The point array of that name as double, checked: numeric, one component. Null where there are no points. */
+/** The point array of that name as double, checked: numeric, one component. Null where there are no
+ * points. */
 vtkDataArray* RequireArray(vtkPointSet* input, const char* name);
 
 /** Collective: whether any rank's piece has a point array of that name. */
 bool HasArray(vtkPointSet* input, const char* name, RankCommunicator& ranks);
 
-/** Points with vertex cells, `Radius`, `Mode` where the pack has modes, and `Id`, where it has none the place in the pack. */
+/** Points with vertex cells, `Radius`, `Mode` where the pack has modes, and `Id`, where it has none
+ * the place in the pack. */
 void FillPolyData(const ruc::SpherePack& pack, vtkPolyData* output);
 
 // Columns and field data
@@ -79,13 +83,14 @@ void AddWindow(vtkDataObject* data, const ruc::Window& window);
 void AddOrigin(vtkDataObject* data, const ObservedPack& pack);
 
 /**
- * What made a result of this pack: window and origin, `NumberOfSpheres`, `VolumeFractions` (as ruc::OnePointProbability) and
- * `OverlapPercent`.
+ * What made a result of this pack: window and origin, `NumberOfSpheres`, `VolumeFractions` (as
+ * ruc::OnePointProbability) and `OverlapPercent`.
  */
-void AddPackSummary(
-  vtkDataObject* data, const ObservedPack& pack, const std::vector<double>& fractions, double overlapPercent);
+void AddPackSummary(vtkDataObject* data, const ObservedPack& pack,
+  const std::vector<double>& fractions, double overlapPercent);
 
-/** Above this overlap, in percent of the spheres' volume, sums over spheres are no longer the probabilities of phases. */
+/** Above this overlap, in percent of the spheres' volume, sums over spheres are no longer the
+ * probabilities of phases. */
 constexpr double TolerableOverlap = 0.01;
 /** The end of a sentence that begins with the filter's name. */
 std::string OverlapWarning(double percent);

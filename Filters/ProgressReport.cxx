@@ -38,6 +38,7 @@ void ProgressReport::Update(double fraction, const std::string& text)
   if (now - this->LastLine >= LineInterval)
   {
     this->LastLine = now;
-    std::cout << this->Name << ": " << static_cast<int>(this->Seconds()) << " s, " << text << std::endl;
+    std::cout << this->Name << ": " << static_cast<int>(this->Seconds()) << " s, " << text
+              << std::endl;
   }
 }

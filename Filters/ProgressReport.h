@@ -8,8 +8,9 @@
 class vtkAlgorithm;
 
 /**
- * Tells a user how far a filter is: the text and the bar of the GUI about ten times a second, and a line on the standard
- * output every few seconds, which is what a batch run shows. To be used on rank 0 alone, from its main thread.
+ * Tells a user how far a filter is: the text and the bar of the GUI about ten times a second, and a
+ * line on the standard output every few seconds, which is what a batch run shows. To be used on
+ * rank 0 alone, from its main thread.
  */
 class ProgressReport
 {

@@ -22,10 +22,12 @@ void RankCommunicator::Sum(std::int64_t* values, std::size_t count)
 {
   if (this->Size() > 1)
   {
-    static_assert(sizeof(vtkTypeInt64) == sizeof(std::int64_t), "the same integers under two names");
+    static_assert(
+      sizeof(vtkTypeInt64) == sizeof(std::int64_t), "the same integers under two names");
     const std::vector<std::int64_t> own(values, values + count);
-    this->Controller->AllReduce(reinterpret_cast<const vtkTypeInt64*>(own.data()), reinterpret_cast<vtkTypeInt64*>(values),
-      static_cast<vtkIdType>(count), vtkCommunicator::SUM_OP);
+    this->Controller->AllReduce(reinterpret_cast<const vtkTypeInt64*>(own.data()),
+      reinterpret_cast<vtkTypeInt64*>(values), static_cast<vtkIdType>(count),
+      vtkCommunicator::SUM_OP);
   }
 }
 
@@ -34,7 +36,8 @@ void RankCommunicator::Share(double* values, std::size_t count)
   if (this->Size() > 1)
   {
     const std::vector<double> own(values, values + count);
-    this->Controller->AllReduce(own.data(), values, static_cast<vtkIdType>(count), vtkCommunicator::SUM_OP);
+    this->Controller->AllReduce(
+      own.data(), values, static_cast<vtkIdType>(count), vtkCommunicator::SUM_OP);
   }
 }
 

@@ -22,8 +22,9 @@ public:
   void Share(double* values, std::size_t count) override;
 
   /**
-   * Collective: throws std::invalid_argument on every rank when `error` is not empty on any, with the text of the lowest rank
-   * that has one. What can fail on one rank alone is agreed on in this way before any rank goes on.
+   * Collective: throws std::invalid_argument on every rank when `error` is not empty on any, with
+   * the text of the lowest rank that has one. What can fail on one rank alone is agreed on in this
+   * way before any rank goes on.
    */
   void ThrowIfAny(const std::string& error);
 

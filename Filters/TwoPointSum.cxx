@@ -15,25 +15,27 @@ ruc::LagGrid TwoPointSum::MakeLags(double maximum, int count, double automatic)
 {
   if (!(std::isfinite(maximum) && maximum >= 0.0))
   {
-    throw std::invalid_argument(ruc::Text("MaximumLag requires a finite number >= 0 (0: automatic), got ", maximum, "."));
+    throw std::invalid_argument(
+      ruc::Text("MaximumLag requires a finite number >= 0 (0: automatic), got ", maximum, "."));
   }
   // The same bounds as in ruc::ExactPairSum, asked before the division
   constexpr int mostLags = 100000;
   if (count < 1 || count > mostLags)
   {
-    throw std::invalid_argument(ruc::Text("NumberOfLags requires 1 <= NumberOfLags <= ", mostLags, ", got ", count, "."));
+    throw std::invalid_argument(
+      ruc::Text("NumberOfLags requires 1 <= NumberOfLags <= ", mostLags, ", got ", count, "."));
   }
   return { (maximum > 0.0 ? maximum : automatic) / count, count };
 }
 
 double TwoPointSum::AutomaticLag(const PackData::ObservedPack& observed)
 {
-  return std::min(
-    0.5 * observed.Observed.ShortestEdge(), ruc::ExactPairSum::LargestLag(observed.Pack, observed.Observed));
+  return std::min(0.5 * observed.Observed.ShortestEdge(),
+    ruc::ExactPairSum::LargestLag(observed.Pack, observed.Observed));
 }
 
-ruc::TwoPointProbability TwoPointSum::Compute(
-  const PackData::ObservedPack& observed, const ruc::LagGrid& lags, RankCommunicator& ranks, ProgressReport& report)
+ruc::TwoPointProbability TwoPointSum::Compute(const PackData::ObservedPack& observed,
+  const ruc::LagGrid& lags, RankCommunicator& ranks, ProgressReport& report)
 {
   const ruc::ExactPairSum sum(observed.Pack, observed.Observed, lags);
   std::vector<std::int64_t> sums(sum.SumsSize(), 0);

@@ -23,13 +23,15 @@ int vtkRUCOnePointProbability::FillOutputPortInformation(int, vtkInformation* in
   return 1;
 }
 
-void vtkRUCOnePointProbability::Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+void vtkRUCOnePointProbability::Execute(
+  vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
   if (this->Method != SPHERE_VOLUMES)
   {
     throw std::invalid_argument(ruc::Text("Method requires the value 0, got ", this->Method, "."));
   }
-  const PackData::ObservedPack observed = PackData::GatherObservedPack(input, this->GetWindowProperties(), true, ranks);
+  const PackData::ObservedPack observed =
+    PackData::GatherObservedPack(input, this->GetWindowProperties(), true, ranks);
   const std::vector<double> fractions = ruc::OnePointProbability(observed.Pack, observed.Observed);
   vtkTable* table = vtkTable::GetData(outputs, 0);
   if (ranks.Rank() == 0)

@@ -4,11 +4,13 @@
  * @class vtkRUCOnePointProbability
  * @brief Volume fractions of the phases of a sphere pack
  *
- * Input: a sphere pack with `Mode` (vtkRUCPackAlgorithm). Output, whole on rank 0: the table `Phase` ("1", "2", …, "m" for the
- * matrix), `VolumeFraction`, `VolumeFraction_error` (standard error; 0 for a method without sampling).
+ * Input: a sphere pack with `Mode` (vtkRUCPackAlgorithm). Output, whole on rank 0: the table
+ * `Phase` ("1", "2", …, "m" for the matrix), `VolumeFraction`, `VolumeFraction_error` (standard
+ * error; 0 for a method without sampling).
  *
- * Sphere Volumes: c_r = volume of the spheres of mode r whose centres lie in the window / volume of the window,
- * c_m = 1 - sum c_r. Where spheres overlap the shared volume counts twice; `OverlapPercent` tells how much that is.
+ * Sphere Volumes: c_r = volume of the spheres of mode r whose centres lie in the window / volume of
+ * the window, c_m = 1 - sum c_r. Where spheres overlap the shared volume counts twice;
+ * `OverlapPercent` tells how much that is.
  */
 #ifndef vtkRUCOnePointProbability_h
 #define vtkRUCOnePointProbability_h

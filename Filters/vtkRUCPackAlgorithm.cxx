@@ -34,7 +34,8 @@ int vtkRUCPackAlgorithm::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-int vtkRUCPackAlgorithm::RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+int vtkRUCPackAlgorithm::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
@@ -43,13 +44,15 @@ int vtkRUCPackAlgorithm::RequestDataObject(vtkInformation*, vtkInformationVector
     vtkDataObject* present = info->Get(vtkDataObject::DATA_OBJECT());
     if (!present || !present->IsA(type))
     {
-      info->Set(vtkDataObject::DATA_OBJECT(), vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type)));
+      info->Set(vtkDataObject::DATA_OBJECT(),
+        vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type)));
     }
   }
   return 1;
 }
 
-int vtkRUCPackAlgorithm::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+int vtkRUCPackAlgorithm::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
@@ -58,9 +61,11 @@ int vtkRUCPackAlgorithm::RequestInformation(vtkInformation*, vtkInformationVecto
   return 1;
 }
 
-int vtkRUCPackAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkRUCPackAlgorithm::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  // One request for all ports, whichever was asked: else the filter runs once a port on more than one rank.
+  // One request for all ports, whichever was asked: else the filter runs once a port on more than
+  // one rank.
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   const RankCommunicator ranks(this->Controller);
   const auto request = [&](vtkInformation* info)
@@ -80,7 +85,8 @@ int vtkRUCPackAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformationVect
   return 1;
 }
 
-int vtkRUCPackAlgorithm::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkRUCPackAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const auto clear = [&]()
   {
@@ -97,14 +103,16 @@ int vtkRUCPackAlgorithm::RequestData(vtkInformation*, vtkInformationVector** inp
   }
   catch (const std::exception& e)
   {
-    // Bad input is found on all ranks alike. What else fails, such as memory, may fail on one alone; then only ending the
-    // job keeps the others from waiting for ever.
+    // Bad input is found on all ranks alike. What else fails, such as memory, may fail on one
+    // alone; then only ending the job keeps the others from waiting for ever.
     if (ranks.Size() > 1 && !dynamic_cast<const std::invalid_argument*>(&e))
     {
-      vtkErrorMacro(<< this->GetLabel() << ": rank " << ranks.Rank() << " cannot go on: " << e.what());
+      vtkErrorMacro(<< this->GetLabel() << ": rank " << ranks.Rank()
+                    << " cannot go on: " << e.what());
       throw;
     }
-    // Empty outputs rather than a failed request, after which the filters downstream would keep their former results
+    // Empty outputs rather than a failed request, after which the filters downstream would keep
+    // their former results
     clear();
     if (ranks.Rank() == 0)
     {

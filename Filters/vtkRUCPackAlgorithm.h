@@ -4,15 +4,16 @@
  * @class vtkRUCPackAlgorithm
  * @brief What the filters of sphere packs have in common
  *
- * The input is a sphere pack: any point set with a point array `Radius` and, for most filters, `Mode`. It may lie on one rank,
- * be spread over ranks, or leave ranks empty; outputs are the same.
+ * The input is a sphere pack: any point set with a point array `Radius` and, for most filters,
+ * `Mode`. It may lie on one rank, be spread over ranks, or leave ranks empty; outputs are the same.
  *
- * The window, the region in which the centres were observed, comes from the pack's field data (`BoxOrigin`, `BoxSize`,
- * `BoxPeriodic`, or `CylinderBase`, `CylinderAxis`, `CylinderRadius`, `CylinderHeight`), else from the properties of the same
- * names, else it is the box of the centres' bounds. All lengths are in the pack's unit.
+ * The window, the region in which the centres were observed, comes from the pack's field data
+ * (`BoxOrigin`, `BoxSize`, `BoxPeriodic`, or `CylinderBase`, `CylinderAxis`, `CylinderRadius`,
+ * `CylinderHeight`), else from the properties of the same names, else it is the box of the centres'
+ * bounds. All lengths are in the pack's unit.
  *
- * Whatever is wrong with the input or a property is found on all ranks alike, reported once, and leaves every output
- * empty; no rank hangs.
+ * Whatever is wrong with the input or a property is found on all ranks alike, reported once, and
+ * leaves every output empty; no rank hangs.
  */
 #ifndef vtkRUCPackAlgorithm_h
 #define vtkRUCPackAlgorithm_h
@@ -51,7 +52,8 @@ public:
   vtkGetVector3Macro(BoxPeriodic, int);
   ///@}
   ///@{
-  /** A cylinder window: centre of the base, axis direction (default z), radius and height; 0 leaves the window to the pack. */
+  /** A cylinder window: centre of the base, axis direction (default z), radius and height; 0 leaves
+   * the window to the pack. */
   vtkSetVector3Macro(CylinderBase, double);
   vtkGetVector3Macro(CylinderBase, double);
   vtkSetVector3Macro(CylinderAxis, double);
@@ -62,7 +64,8 @@ public:
   vtkGetMacro(CylinderHeight, double);
   ///@}
   ///@{
-  /** Leave spheres with centres outside the window out, instead of refusing the pack. Default: off. */
+  /** Leave spheres with centres outside the window out, instead of refusing the pack. Default: off.
+   */
   vtkSetMacro(CropToWindow, bool);
   vtkGetMacro(CropToWindow, bool);
   ///@}
@@ -81,18 +84,23 @@ protected:
   virtual const char* GetLabel() const = 0;
 
   /**
-   * Fills the outputs, on all ranks together. Throws std::invalid_argument, the same on every rank, for bad input. The
-   * outputs are empty at the start and are emptied again after an error.
+   * Fills the outputs, on all ranks together. Throws std::invalid_argument, the same on every rank,
+   * for bad input. The outputs are empty at the start and are emptied again after an error.
    */
-  virtual void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) = 0;
+  virtual void Execute(
+    vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) = 0;
 
   PackData::WindowProperties GetWindowProperties() const;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
-  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) final;
+  int RequestDataObject(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) final;
 
 private:
   vtkRUCPackAlgorithm(const vtkRUCPackAlgorithm&) = delete;

@@ -27,10 +27,13 @@ vtkStandardNewMacro(vtkRUCParticleModes);
 
 namespace
 {
-const char* const MethodNames[] = { "Equal Width", "Equal Volume", "Explicit Edges", "One Per Size" };
+const char* const MethodNames[] = { "Equal Width", "Equal Volume", "Explicit Edges",
+  "One Per Size" };
 
-// The points of the input that have a mode and, if `window` is not null, lie in it; with all their arrays
-void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::Window* window, vtkPolyData* output)
+// The points of the input that have a mode and, if `window` is not null, lie in it; with all their
+// arrays
+void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::Window* window,
+  vtkPolyData* output)
 {
   vtkDataArray* radius = PackData::RequireArray(input, "Radius");
   vtkNew<vtkPoints> points;
@@ -108,21 +111,24 @@ void vtkRUCParticleModes::SetEdge(int i, double diameter)
   this->Modified();
 }
 
-void vtkRUCParticleModes::Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+void vtkRUCParticleModes::Execute(
+  vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
   if (this->Method < EQUAL_WIDTH || this->Method > ONE_PER_SIZE)
   {
-    throw std::invalid_argument(ruc::Text("Method requires a value from 0 to 3, got ", this->Method, "."));
+    throw std::invalid_argument(
+      ruc::Text("Method requires a value from 0 to 3, got ", this->Method, "."));
   }
-  PackData::ObservedPack observed = PackData::GatherObservedPack(input, this->GetWindowProperties(), false, ranks);
+  PackData::ObservedPack observed =
+    PackData::GatherObservedPack(input, this->GetWindowProperties(), false, ranks);
   ruc::ModeSettings settings;
   settings.Method = static_cast<ruc::ModeMethod>(this->Method);
   settings.NumberOfModes = this->NumberOfModes;
   settings.Edges = this->Method == EXPLICIT_EDGES ? this->Edges : std::vector<double>{};
   settings.MinimumDiameter = this->MinimumDiameter;
   std::vector<double> diameters(observed.Pack.Size());
-  std::transform(
-    observed.Pack.Radius.begin(), observed.Pack.Radius.end(), diameters.begin(), [](double r) { return 2.0 * r; });
+  std::transform(observed.Pack.Radius.begin(), observed.Pack.Radius.end(), diameters.begin(),
+    [](double r) { return 2.0 * r; });
   const ruc::ParticleModes modes(diameters, settings);
 
   const int wanted = this->Method == ONE_PER_SIZE ? modes.NumberOfModes()
@@ -130,9 +136,10 @@ void vtkRUCParticleModes::Execute(vtkPointSet* input, vtkInformationVector* outp
                                                   : this->NumberOfModes;
   if (modes.NumberOfModes() < wanted && ranks.Rank() == 0)
   {
-    vtkWarningMacro(<< this->GetLabel() << ": " << wanted - modes.NumberOfModes() << " of " << wanted
-                    << " modes would hold no sphere and are left out; the others are numbered 1 to " << modes.NumberOfModes()
-                    << ".");
+    vtkWarningMacro(<< this->GetLabel() << ": " << wanted - modes.NumberOfModes() << " of "
+                    << wanted
+                    << " modes would hold no sphere and are left out; the others are numbered 1 to "
+                    << modes.NumberOfModes() << ".");
   }
 
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
@@ -151,12 +158,14 @@ void vtkRUCParticleModes::Execute(vtkPointSet* input, vtkInformationVector* outp
   {
     spheres += static_cast<long long>(modes.Summary(m).Count);
   }
-  for (vtkDataObject* data : { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(table) })
+  for (vtkDataObject* data :
+    { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(table) })
   {
     PackData::AddField(data, "Method", std::string(MethodNames[this->Method]));
     PackData::AddField(data, "NumberOfSpheres", std::vector<long long>{ spheres });
     PackData::AddOrigin(data, observed);
-    // Bounds of the centres are a fallback for the table's fractions, not a window to hand on as observed
+    // Bounds of the centres are a fallback for the table's fractions, not a window to hand on as
+    // observed
     if (observed.WindowSource != "Bounds of the centres")
     {
       PackData::AddWindow(data, observed.Observed);

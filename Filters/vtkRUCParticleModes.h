@@ -4,9 +4,10 @@
  * @class vtkRUCParticleModes
  * @brief Sorts the spheres of a pack into modes, classes of particle size
  *
- * Input: a sphere pack (vtkRUCPackAlgorithm). Output 0: the same points, where they were, with the point array `Mode` (int, 1 to
- * the number of modes, by ascending diameter), without the spheres below MinimumDiameter. Output 1, whole on rank 0: the table
- * `Mode`, `Count`, `MinimumDiameter`, `MaximumDiameter`, `VolumeMeanDiameter` ((sum d^3 / Count)^(1/3)), `VolumeFraction`.
+ * Input: a sphere pack (vtkRUCPackAlgorithm). Output 0: the same points, where they were, with the
+ * point array `Mode` (int, 1 to the number of modes, by ascending diameter), without the spheres
+ * below MinimumDiameter. Output 1, whole on rank 0: the table `Mode`, `Count`, `MinimumDiameter`,
+ * `MaximumDiameter`, `VolumeMeanDiameter` ((sum d^3 / Count)^(1/3)), `VolumeFraction`.
  *
  * Modes that would be empty are left out and the others numbered through, with a warning.
  */
@@ -43,7 +44,8 @@ public:
   vtkGetMacro(NumberOfModes, int);
   ///@}
   ///@{
-  /** For EXPLICIT_EDGES: ascending diameters; mode i holds edge i <= d < edge i + 1, the last mode its upper edge as well. */
+  /** For EXPLICIT_EDGES: ascending diameters; mode i holds edge i <= d < edge i + 1, the last mode
+   * its upper edge as well. */
   void ClearEdges();
   void SetEdge(int i, double diameter);
   int GetNumberOfEdges() const { return static_cast<int>(this->Edges.size()); }

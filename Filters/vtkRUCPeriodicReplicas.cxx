@@ -39,8 +39,8 @@ struct Copies
   std::vector<std::array<int, 3>> Image;
 };
 
-Copies TakeCopies(const Copies& source, const ruc::Window& box, const std::vector<ruc::Replica>& replicas,
-  const std::array<int, 3>& edgesPerImage)
+Copies TakeCopies(const Copies& source, const ruc::Window& box,
+  const std::vector<ruc::Replica>& replicas, const std::array<int, 3>& edgesPerImage)
 {
   Copies copies;
   for (const ruc::Replica& replica : replicas)
@@ -89,7 +89,8 @@ void FillPoints(const Copies& copies, vtkPolyData* output)
 }
 
 // The sphere's surface, closed where the box cuts it
-void CutSurface(const ruc::Vector3& centre, double radius, const ruc::Window& box, int resolution, vtkPolyData* surface)
+void CutSurface(const ruc::Vector3& centre, double radius, const ruc::Window& box, int resolution,
+  vtkPolyData* surface)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetCenter(centre[0], centre[1], centre[2]);
@@ -171,7 +172,8 @@ void FillOutline(const ruc::Window& box, const std::array<int, 3>& tiles, vtkPol
         for (int corner = 0; corner < 8; ++corner)
         {
           points->InsertNextPoint(box.Origin[0] + (x + (corner & 1)) * box.Size[0],
-            box.Origin[1] + (y + (corner >> 1 & 1)) * box.Size[1], box.Origin[2] + (z + (corner >> 2)) * box.Size[2]);
+            box.Origin[1] + (y + (corner >> 1 & 1)) * box.Size[1],
+            box.Origin[2] + (z + (corner >> 2)) * box.Size[2]);
         }
         for (int corner = 0; corner < 8; ++corner)
         {
@@ -203,7 +205,8 @@ int vtkRUCPeriodicReplicas::FillOutputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-void vtkRUCPeriodicReplicas::Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+void vtkRUCPeriodicReplicas::Execute(
+  vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
   constexpr double mostCopies = 1e8;
   if (this->Mode != BOUNDARY_COPIES && this->Mode != TILING)
@@ -213,7 +216,8 @@ void vtkRUCPeriodicReplicas::Execute(vtkPointSet* input, vtkInformationVector* o
   if (this->SurfaceResolution < 8 || this->SurfaceResolution > 256)
   {
     throw std::invalid_argument(
-      ruc::Text("SurfaceResolution requires 8 <= SurfaceResolution <= 256, got ", this->SurfaceResolution, "."));
+      ruc::Text("SurfaceResolution requires 8 <= SurfaceResolution <= 256, got ",
+        this->SurfaceResolution, "."));
   }
   PackData::ObservedPack observed = PackData::GatherObservedPack(
     input, this->GetWindowProperties(), PackData::HasArray(input, "Mode", ranks), ranks);
@@ -221,7 +225,8 @@ void vtkRUCPeriodicReplicas::Execute(vtkPointSet* input, vtkInformationVector* o
   if (!box.IsPeriodic())
   {
     throw std::invalid_argument(ruc::Text(
-      "A periodic box is required (field data BoxPeriodic, or BoxSize and BoxPeriodic), got a ", box.Describe(), "."));
+      "A periodic box is required (field data BoxPeriodic, or BoxSize and BoxPeriodic), got a ",
+      box.Describe(), "."));
   }
   std::array<int, 3> tiles = { 1, 1, 1 };
   if (this->Mode == TILING)
@@ -233,8 +238,10 @@ void vtkRUCPeriodicReplicas::Execute(vtkPointSet* input, vtkInformationVector* o
   {
     if (tiles[q] < 1 || (tiles[q] > 1 && !box.Periodic[q]) || copies > mostCopies)
     {
-      throw std::invalid_argument(ruc::Text("Tiles requires numbers >= 1, 1 along axes that are not periodic, and at most ", mostCopies,
-        " copies in all, got ", tiles[0], " ", tiles[1], " ", tiles[2], " for ", observed.Pack.Size(), " spheres."));
+      throw std::invalid_argument(
+        ruc::Text("Tiles requires numbers >= 1, 1 along axes that are not periodic, and at most ",
+          mostCopies, " copies in all, got ", tiles[0], " ", tiles[1], " ", tiles[2], " for ",
+          observed.Pack.Size(), " spheres."));
     }
   }
 
@@ -244,8 +251,8 @@ void vtkRUCPeriodicReplicas::Execute(vtkPointSet* input, vtkInformationVector* o
   {
     all = TakeCopies(all, box, ruc::Tiling(all.Pack, tiles), { 1, 1, 1 });
   }
-  const ruc::Window block = ruc::Window::MakeBox(
-    box.Origin, { box.Size[0] * tiles[0], box.Size[1] * tiles[1], box.Size[2] * tiles[2] }, box.Periodic);
+  const ruc::Window block = ruc::Window::MakeBox(box.Origin,
+    { box.Size[0] * tiles[0], box.Size[1] * tiles[1], box.Size[2] * tiles[2] }, box.Periodic);
   Copies filled = all; // every sphere that reaches into the block
   if (this->Mode == BOUNDARY_COPIES || this->ClipToBox)
   {
@@ -270,10 +277,13 @@ void vtkRUCPeriodicReplicas::Execute(vtkPointSet* input, vtkInformationVector* o
   }
   for (vtkPolyData* data : { output, outline, surfaces })
   {
-    PackData::AddField(data, "Method", std::string(this->Mode == TILING ? "Tiling" : "Boundary Copies"));
+    PackData::AddField(
+      data, "Method", std::string(this->Mode == TILING ? "Tiling" : "Boundary Copies"));
     PackData::AddField(data, "Tiles", std::vector<long long>{ tiles[0], tiles[1], tiles[2] });
-    PackData::AddField(data, "NumberOfSpheres", std::vector<long long>{ static_cast<long long>(observed.Pack.Size()) });
-    PackData::AddField(data, "NumberOfCopies", std::vector<long long>{ static_cast<long long>(all.Pack.Size()) });
+    PackData::AddField(data, "NumberOfSpheres",
+      std::vector<long long>{ static_cast<long long>(observed.Pack.Size()) });
+    PackData::AddField(
+      data, "NumberOfCopies", std::vector<long long>{ static_cast<long long>(all.Pack.Size()) });
     // Copies beyond the box are no pack in it; a whole tiling is one again
     PackData::AddOrigin(data, observed);
     if (this->Mode == TILING)
@@ -287,7 +297,8 @@ void vtkRUCPeriodicReplicas::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->Mode << "\n";
-  os << indent << "Tiles: " << this->Tiles[0] << " " << this->Tiles[1] << " " << this->Tiles[2] << "\n";
+  os << indent << "Tiles: " << this->Tiles[0] << " " << this->Tiles[1] << " " << this->Tiles[2]
+     << "\n";
   os << indent << "ClipToBox: " << this->ClipToBox << "\n";
   os << indent << "SurfaceResolution: " << this->SurfaceResolution << "\n";
 }

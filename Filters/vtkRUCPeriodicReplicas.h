@@ -4,14 +4,16 @@
  * @class vtkRUCPeriodicReplicas
  * @brief The copies that make a periodic cell visible as what it is
  *
- * Input: a sphere pack with a periodic box (vtkRUCPackAlgorithm). Output 0, spread over the ranks: the spheres and their copies
- * with `Radius`, `Mode` (where the input has it), `Id` of the original and `Image` (3 int), the copy's number of box edges from the
- * original; originals have Image 0 0 0. Output 1, on rank 0: the outlines of the box or of every tile, as lines. Output 2, with
- * ClipToBox, spread over the ranks: the surfaces of all spheres that reach into the box (or block of tiles), cut flush with its faces
- * and closed there, with the same arrays.
+ * Input: a sphere pack with a periodic box (vtkRUCPackAlgorithm). Output 0, spread over the ranks:
+ * the spheres and their copies with `Radius`, `Mode` (where the input has it), `Id` of the original
+ * and `Image` (3 int), the copy's number of box edges from the original; originals have Image 0 0
+ * 0. Output 1, on rank 0: the outlines of the box or of every tile, as lines. Output 2, with
+ * ClipToBox, spread over the ranks: the surfaces of all spheres that reach into the box (or block
+ * of tiles), cut flush with its faces and closed there, with the same arrays.
  *
- * BOUNDARY_COPIES adds those images that reach into the box: a sphere that crosses a face is then there twice, one on an edge of
- * the box four times, one at a corner eight times. TILING repeats the whole cell.
+ * BOUNDARY_COPIES adds those images that reach into the box: a sphere that crosses a face is then
+ * there twice, one on an edge of the box four times, one at a corner eight times. TILING repeats
+ * the whole cell.
  */
 #ifndef vtkRUCPeriodicReplicas_h
 #define vtkRUCPeriodicReplicas_h
@@ -37,7 +39,8 @@ public:
   vtkGetMacro(Mode, int);
   ///@}
   ///@{
-  /** For TILING: repetitions along each axis, >= 1, and 1 along an axis that is not periodic. Default: 1 1 1. */
+  /** For TILING: repetitions along each axis, >= 1, and 1 along an axis that is not periodic.
+   * Default: 1 1 1. */
   vtkSetVector3Macro(Tiles, int);
   vtkGetVector3Macro(Tiles, int);
   ///@}

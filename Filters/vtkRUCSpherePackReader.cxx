@@ -26,7 +26,8 @@ int vtkRUCSpherePackReader::CanReadFile(const char* fileName)
   return fileName && std::ifstream(fileName).good() ? 1 : 0;
 }
 
-int vtkRUCSpherePackReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+int vtkRUCSpherePackReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->Initialize();
@@ -39,7 +40,8 @@ int vtkRUCSpherePackReader::RequestData(vtkInformation*, vtkInformationVector**,
     output->Initialize();
     vtkErrorMacro(<< "Sphere Pack Reader, FileName '" << this->FileName << "': " << e.what());
   }
-  // Not a failed request: the other ranks, which read nothing, would wait for this one in the filters downstream.
+  // Not a failed request: the other ranks, which read nothing, would wait for this one in the
+  // filters downstream.
   return 1;
 }
 
@@ -61,9 +63,10 @@ void vtkRUCSpherePackReader::Read(vtkPolyData* output)
   const bool hasBox = this->BoxSize[0] != 0.0 || this->BoxSize[1] != 0.0 || this->BoxSize[2] != 0.0;
   if (hasBox)
   {
-    const ruc::Window window = ruc::Window::MakeBox({ this->BoxOrigin[0], this->BoxOrigin[1], this->BoxOrigin[2] },
-      { this->BoxSize[0], this->BoxSize[1], this->BoxSize[2] },
-      { this->BoxPeriodic[0] != 0, this->BoxPeriodic[1] != 0, this->BoxPeriodic[2] != 0 });
+    const ruc::Window window =
+      ruc::Window::MakeBox({ this->BoxOrigin[0], this->BoxOrigin[1], this->BoxOrigin[2] },
+        { this->BoxSize[0], this->BoxSize[1], this->BoxSize[2] },
+        { this->BoxPeriodic[0] != 0, this->BoxPeriodic[1] != 0, this->BoxPeriodic[2] != 0 });
     const std::vector<bool> copies = ruc::FindPeriodicCopies(spheres.Pack, window);
     ruc::SpherePackText once;
     for (std::size_t i = 0; i < copies.size(); ++i)
@@ -78,18 +81,20 @@ void vtkRUCSpherePackReader::Read(vtkPolyData* output)
     {
       if (!window.Contains(once.Pack.Centre(i)))
       {
-        throw std::invalid_argument(ruc::Text("Line ", once.Line[i], ": BoxOrigin and BoxSize require every centre inside the box, got (",
-          once.Pack.X[i], ", ", once.Pack.Y[i], ", ", once.Pack.Z[i], ") outside the ", window.Describe(), "."));
+        throw std::invalid_argument(ruc::Text("Line ", once.Line[i],
+          ": BoxOrigin and BoxSize require every centre inside the box, got (", once.Pack.X[i],
+          ", ", once.Pack.Y[i], ", ", once.Pack.Z[i], ") outside the ", window.Describe(), "."));
       }
     }
     if (ghosts > 0)
     {
       vtkWarningMacro("Sphere Pack Reader: left " << ghosts << " of " << copies.size()
-                                                 << " rows out as periodic copies of others.");
+                                                  << " rows out as periodic copies of others.");
     }
     spheres = std::move(once);
     PackData::AddWindow(output, window);
-    PackData::AddField(output, "NumberOfGhosts", std::vector<long long>{ static_cast<long long>(ghosts) });
+    PackData::AddField(
+      output, "NumberOfGhosts", std::vector<long long>{ static_cast<long long>(ghosts) });
   }
   PackData::FillPolyData(spheres.Pack, output);
   PackData::AddField(output, "LengthUnit", this->LengthUnit);
@@ -104,8 +109,10 @@ void vtkRUCSpherePackReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Scale: " << this->Scale << "\n";
   os << indent << "SkipLines: " << this->SkipLines << "\n";
   os << indent << "LengthUnit: " << this->LengthUnit << "\n";
-  os << indent << "BoxOrigin: " << this->BoxOrigin[0] << " " << this->BoxOrigin[1] << " " << this->BoxOrigin[2] << "\n";
-  os << indent << "BoxSize: " << this->BoxSize[0] << " " << this->BoxSize[1] << " " << this->BoxSize[2] << "\n";
-  os << indent << "BoxPeriodic: " << this->BoxPeriodic[0] << " " << this->BoxPeriodic[1] << " " << this->BoxPeriodic[2]
-     << "\n";
+  os << indent << "BoxOrigin: " << this->BoxOrigin[0] << " " << this->BoxOrigin[1] << " "
+     << this->BoxOrigin[2] << "\n";
+  os << indent << "BoxSize: " << this->BoxSize[0] << " " << this->BoxSize[1] << " "
+     << this->BoxSize[2] << "\n";
+  os << indent << "BoxPeriodic: " << this->BoxPeriodic[0] << " " << this->BoxPeriodic[1] << " "
+     << this->BoxPeriodic[2] << "\n";
 }

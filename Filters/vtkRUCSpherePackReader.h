@@ -4,16 +4,18 @@
  * @class vtkRUCSpherePackReader
  * @brief Reads a table of spheres, one a line, as a sphere pack
  *
- * The text has columns separated by commas, semicolons, tabs or blanks, with or without a header; see
- * Core/Geometry/SpherePackText.h for what is accepted and what is refused, with the line's number.
+ * The text has columns separated by commas, semicolons, tabs or blanks, with or without a header;
+ * see Core/Geometry/SpherePackText.h for what is accepted and what is refused, with the line's
+ * number.
  *
- * Output: points (double) with vertex cells and the arrays `Radius` (double), `Id` (place in the file from 0, or the column
- * "id") and, where the file has such a column, `Mode` (int). With `BoxSize` set the window becomes field data of the pack; where
- * an axis is periodic, rows that only repeat a sphere in a neighbouring image of the box are left out, counted in the
- * field data `NumberOfGhosts` and told in a warning.
+ * Output: points (double) with vertex cells and the arrays `Radius` (double), `Id` (place in the
+ * file from 0, or the column "id") and, where the file has such a column, `Mode` (int). With
+ * `BoxSize` set the window becomes field data of the pack; where an axis is periodic, rows that
+ * only repeat a sphere in a neighbouring image of the box are left out, counted in the field data
+ * `NumberOfGhosts` and told in a warning.
  *
- * The file is read on rank 0, which holds the whole output. A file that cannot be read gives an error and an empty output,
- * which every filter of this plugin refuses on all ranks.
+ * The file is read on rank 0, which holds the whole output. A file that cannot be read gives an
+ * error and an empty output, which every filter of this plugin refuses on all ranks.
  */
 #ifndef vtkRUCSpherePackReader_h
 #define vtkRUCSpherePackReader_h
@@ -39,12 +41,14 @@ public:
   static int CanReadFile(const char* fileName);
 
   ///@{
-  /** Name or 1-based number of the column of radii. Default: empty, found by name, the fourth without a header. */
+  /** Name or 1-based number of the column of radii. Default: empty, found by name, the fourth
+   * without a header. */
   vtkSetStdStringFromCharMacro(RadiusColumn);
   vtkGetCharFromStdStringMacro(RadiusColumn);
   ///@}
   ///@{
-  /** The column holds diameters. Default: off. (A column found by the name "diameter" is taken as such.) */
+  /** The column holds diameters. Default: off. (A column found by the name "diameter" is taken as
+   * such.) */
   vtkSetMacro(RadiusIsDiameter, bool);
   vtkGetMacro(RadiusIsDiameter, bool);
   ///@}

@@ -35,7 +35,8 @@ void FillProbabilities(const ruc::TwoPointProbability& probability, vtkTable* ta
   }
 }
 
-void FillChecks(const ruc::TwoPointProbability& probability, const std::vector<ruc::TwoPointCheck>& checks, vtkTable* table)
+void FillChecks(const ruc::TwoPointProbability& probability,
+  const std::vector<ruc::TwoPointCheck>& checks, vtkTable* table)
 {
   std::vector<std::string> pair;
   std::vector<double> limit, zero, infinity, asymmetry, saturation;
@@ -84,7 +85,8 @@ int vtkRUCTwoPointProbability::FillOutputPortInformation(int, vtkInformation* in
   return 1;
 }
 
-void vtkRUCTwoPointProbability::Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+void vtkRUCTwoPointProbability::Execute(
+  vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
   if (this->Method != EXACT_PAIR_SUM)
   {
@@ -96,8 +98,10 @@ void vtkRUCTwoPointProbability::Execute(vtkPointSet* input, vtkInformationVector
       ruc::Text("SaturationTolerance requires a number > 0, got ", this->SaturationTolerance, "."));
   }
   ProgressReport report(this, this->GetLabel());
-  const PackData::ObservedPack observed = PackData::GatherObservedPack(input, this->GetWindowProperties(), true, ranks);
-  const ruc::LagGrid lags = TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags, TwoPointSum::AutomaticLag(observed));
+  const PackData::ObservedPack observed =
+    PackData::GatherObservedPack(input, this->GetWindowProperties(), true, ranks);
+  const ruc::LagGrid lags = TwoPointSum::MakeLags(
+    this->MaximumLag, this->NumberOfLags, TwoPointSum::AutomaticLag(observed));
   const ruc::TwoPointProbability probability = TwoPointSum::Compute(observed, lags, ranks, report);
   const double diameter = TwoPointSum::MeanDiameter(observed.Pack);
   const std::vector<ruc::TwoPointCheck> checks =
@@ -116,7 +120,8 @@ void vtkRUCTwoPointProbability::Execute(vtkPointSet* input, vtkInformationVector
     PackData::AddField(table, "NumberOfLags", std::vector<long long>{ lags.Count });
     PackData::AddField(table, "MaximumLag", std::vector<double>{ lags.Maximum() });
     PackData::AddField(table, "SaturationLength",
-      std::vector<double>{ ruc::SaturationLength(probability, this->SaturationTolerance, diameter) });
+      std::vector<double>{
+        ruc::SaturationLength(probability, this->SaturationTolerance, diameter) });
     PackData::AddPackSummary(table, observed, probability.Fractions, overlap);
   }
   if (ranks.Rank() == 0 && overlap > PackData::TolerableOverlap)

@@ -41,7 +41,8 @@ void FillConvergence(const ruc::UnitCell& cell, vtkTable* table)
   PackData::AddColumn(table, "OverlapPercent", overlap);
 }
 
-void FillComparison(const ruc::TwoPointProbability& pack, const ruc::TwoPointProbability& cell, vtkTable* table)
+void FillComparison(
+  const ruc::TwoPointProbability& pack, const ruc::TwoPointProbability& cell, vtkTable* table)
 {
   PackData::AddLags(table, pack.Lags);
   for (int r = 0; r < pack.Phases(); ++r)
@@ -76,11 +77,16 @@ void vtkRUCUnitCellReconstruction::ValidateProperties() const
     }
   };
   require(this->Method == GRADIENT, "Method", "the value 0", this->Method);
-  require(this->NumberOfParticles >= 0, "NumberOfParticles", "a number >= 0", this->NumberOfParticles);
-  require(this->CellSize >= 0.0 && std::isfinite(this->CellSize), "CellSize", "a finite number >= 0", this->CellSize);
-  require(this->NumberOfParticles == 0 || this->CellSize == 0.0, "CellSize", "0 when NumberOfParticles is set", this->CellSize);
-  require(this->SaturationTolerance > 0.0, "SaturationTolerance", "a number > 0", this->SaturationTolerance);
-  require(this->MaximumIterations >= 0, "MaximumIterations", "a number >= 0", this->MaximumIterations);
+  require(
+    this->NumberOfParticles >= 0, "NumberOfParticles", "a number >= 0", this->NumberOfParticles);
+  require(this->CellSize >= 0.0 && std::isfinite(this->CellSize), "CellSize",
+    "a finite number >= 0", this->CellSize);
+  require(this->NumberOfParticles == 0 || this->CellSize == 0.0, "CellSize",
+    "0 when NumberOfParticles is set", this->CellSize);
+  require(this->SaturationTolerance > 0.0, "SaturationTolerance", "a number > 0",
+    this->SaturationTolerance);
+  require(
+    this->MaximumIterations >= 0, "MaximumIterations", "a number >= 0", this->MaximumIterations);
   require(this->TargetObjective >= 0.0, "TargetObjective", "a number >= 0", this->TargetObjective);
   require(this->TimeLimit >= 0.0, "TimeLimit", "a number of seconds >= 0", this->TimeLimit);
   require(this->Seed >= 0, "Seed", "a number >= 0", this->Seed);
@@ -97,17 +103,19 @@ ruc::CellContents vtkRUCUnitCellReconstruction::FindContents(
   {
     return ruc::FindCellContents(observed.Pack, observed.Observed, this->CellSize);
   }
-  const ruc::LagGrid lags = TwoPointSum::MakeLags(0.0, this->NumberOfLags, TwoPointSum::AutomaticLag(observed));
+  const ruc::LagGrid lags =
+    TwoPointSum::MakeLags(0.0, this->NumberOfLags, TwoPointSum::AutomaticLag(observed));
   const ruc::TwoPointProbability probability = TwoPointSum::Compute(observed, lags, ranks, report);
-  double length =
-    ruc::SaturationLength(probability, this->SaturationTolerance, TwoPointSum::MeanDiameter(observed.Pack));
+  double length = ruc::SaturationLength(
+    probability, this->SaturationTolerance, TwoPointSum::MeanDiameter(observed.Pack));
   if (std::isnan(length))
   {
     length = lags.Maximum();
     if (ranks.Rank() == 0)
     {
-      vtkWarningMacro(<< this->GetLabel() << ": S_rs does not saturate within " << this->SaturationTolerance
-                      << " up to a lag of " << length << "; the cell's edge is about twice that. Set CellSize for another.");
+      vtkWarningMacro(<< this->GetLabel() << ": S_rs does not saturate within "
+                      << this->SaturationTolerance << " up to a lag of " << length
+                      << "; the cell's edge is about twice that. Set CellSize for another.");
     }
   }
   return ruc::FindCellContents(observed.Pack, observed.Observed, 2.0 * length);
@@ -130,14 +138,17 @@ std::string vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport& r
   return {};
 }
 
-void vtkRUCUnitCellReconstruction::Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+void vtkRUCUnitCellReconstruction::Execute(
+  vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
   this->SetAbortExecute(0); // VTK leaves the wish of a former run standing
   this->ValidateProperties();
   ProgressReport report(this, this->GetLabel());
-  const PackData::ObservedPack observed = PackData::GatherObservedPack(input, this->GetWindowProperties(), true, ranks);
+  const PackData::ObservedPack observed =
+    PackData::GatherObservedPack(input, this->GetWindowProperties(), true, ranks);
   const ruc::CellContents contents = this->FindContents(observed, ranks, report);
-  const ruc::LagGrid lags = TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags, 0.5 * contents.Edge);
+  const ruc::LagGrid lags =
+    TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags, 0.5 * contents.Edge);
   const ruc::TwoPointProbability target = TwoPointSum::Compute(observed, lags, ranks, report);
 
   ruc::GradientSearchSettings settings;
@@ -153,7 +164,8 @@ void vtkRUCUnitCellReconstruction::Execute(vtkPointSet* input, vtkInformationVec
         return true;
       }
       report.Update(state.Iteration / (this->MaximumIterations + 3.0),
-        ruc::Text(state.Phase, ", iteration ", state.Iteration, ", F2 = ", state.Objective, ", overlap ", state.OverlapPercent, " %"));
+        ruc::Text(state.Phase, ", iteration ", state.Iteration, ", F2 = ", state.Objective,
+          ", overlap ", state.OverlapPercent, " %"));
       stopReason = this->FindStopReason(report);
       return stopReason.empty();
     });
@@ -181,16 +193,17 @@ void vtkRUCUnitCellReconstruction::Execute(vtkPointSet* input, vtkInformationVec
     PackData::AddField(data, "MaximumLag", std::vector<double>{ lags.Maximum() });
     PackData::AddField(data, "Objective", std::vector<double>{ cell.Objective });
     PackData::AddField(data, "StartObjective", std::vector<double>{ cell.StartObjective });
-    PackData::AddField(
-      data, "OnePointDifference", std::vector<double>{ ruc::OnePointDifference(contents, target.Fractions, contents.Edge) });
+    PackData::AddField(data, "OnePointDifference",
+      std::vector<double>{ ruc::OnePointDifference(contents, target.Fractions, contents.Edge) });
     PackData::AddField(data, "Iterations", std::vector<long long>{ cell.Iterations });
     PackData::AddField(data, "EndedBy", endedBy);
     PackData::AddField(data, "Stopped", std::vector<long long>{ stopped });
   }
   if (ranks.Rank() == 0 && !cell.Overlap.IsNone())
   {
-    vtkWarningMacro(<< this->GetLabel() << ": the cell still has overlap, " << cell.Overlap.Percent << " % of the spheres' volume in "
-                    << cell.Overlap.Pairs << " pairs" << (stopped ? "; it was stopped early." : "; it is too dense to free."));
+    vtkWarningMacro(<< this->GetLabel() << ": the cell still has overlap, " << cell.Overlap.Percent
+                    << " % of the spheres' volume in " << cell.Overlap.Pairs << " pairs"
+                    << (stopped ? "; it was stopped early." : "; it is too dense to free."));
   }
 }
 

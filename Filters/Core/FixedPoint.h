@@ -8,8 +8,8 @@
 namespace ruc
 {
 /**
- * Adding 1.5 x 2^52 to a number of magnitude below 2^51 rounds it to a whole number and leaves that number in the low
- * bits of the sum; unlike std::llrint this vectorises on every instruction set.
+ * Adding 1.5 x 2^52 to a number of magnitude below 2^51 rounds it to a whole number and leaves that
+ * number in the low bits of the sum; unlike std::llrint this vectorises on every instruction set.
  */
 constexpr double FixedPointRounder = 6755399441055744.0;
 

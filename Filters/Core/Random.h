@@ -10,10 +10,11 @@
 namespace ruc
 {
 /**
- * Three numbers uniform in [0, 1) that depend on (seed, stream, sample) alone: Philox4x32-10 of Random123 with the seed as
- * key. The same on every rank, thread and machine.
+ * Three numbers uniform in [0, 1) that depend on (seed, stream, sample) alone: Philox4x32-10 of
+ * Random123 with the seed as key. The same on every rank, thread and machine.
  */
-inline std::array<double, 3> UniformTriple(std::uint32_t seed, std::uint32_t stream, std::uint64_t sample)
+inline std::array<double, 3> UniformTriple(
+  std::uint32_t seed, std::uint32_t stream, std::uint64_t sample)
 {
   const r123::Philox4x32::ctr_type counter = { { static_cast<std::uint32_t>(sample),
     static_cast<std::uint32_t>(sample >> 32), stream, 0 } };

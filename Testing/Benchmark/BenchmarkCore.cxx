@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Times the loops that everything else waits for, on the example pack: the pair loop of the exact sum (with its time a pair), the
- * objective of a cell of 1082 spheres and its gradient. One thread unless OMP_NUM_THREADS says otherwise.
+ * Times the loops that everything else waits for, on the example pack: the pair loop of the exact
+ * sum (with its time a pair), the objective of a cell of 1082 spheres and its gradient. One thread
+ * unless OMP_NUM_THREADS says otherwise.
  */
 #include "Geometry/CellList.h"
 #include "Geometry/SpherePackText.h"
@@ -20,7 +21,8 @@
 namespace
 {
 const ruc::LagGrid Lags = { 200.0 / 277, 277 };
-const ruc::Window Block = ruc::Window::MakeBox({ 0, 0, 0 }, { 1445.372, 1287.892, 789.106 }, { false, false, false });
+const ruc::Window Block =
+  ruc::Window::MakeBox({ 0, 0, 0 }, { 1445.372, 1287.892, 789.106 }, { false, false, false });
 
 ruc::SpherePack ReadPack()
 {
@@ -61,7 +63,8 @@ double CountedPairs(const ruc::SpherePack& pack)
     {
       for (std::size_t j = range.Begin; j < range.End; ++j)
       {
-        const double dx = cells.X[j] - range.X, dy = cells.Y[j] - range.Y, dz = cells.Z[j] - range.Z;
+        const double dx = cells.X[j] - range.X, dy = cells.Y[j] - range.Y,
+                     dz = cells.Z[j] - range.Z;
         pairs += dx * dx + dy * dy + dz * dz < cells.GetCutoff() * cells.GetCutoff();
       }
     }
@@ -113,7 +116,8 @@ void Objective(benchmark::State& state)
   std::vector<double> gradient(centres.size());
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(objective.Evaluate(centres.data(), state.range(0) ? gradient.data() : nullptr));
+    benchmark::DoNotOptimize(
+      objective.Evaluate(centres.data(), state.range(0) ? gradient.data() : nullptr));
   }
 }
 BENCHMARK(Objective)->ArgName("gradient")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);

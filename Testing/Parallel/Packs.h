@@ -19,8 +19,10 @@
 #include <functional>
 #include <vector>
 
-/** A random pack of 600 spheres without overlap in a periodic cube; radius and mode of the i-th as given. */
-inline ruc::SpherePack MakePack(double edge, const std::function<std::pair<double, int>(int)>& sizeOf)
+/** A random pack of 600 spheres without overlap in a periodic cube; radius and mode of the i-th as
+ * given. */
+inline ruc::SpherePack MakePack(
+  double edge, const std::function<std::pair<double, int>(int)>& sizeOf)
 {
   ruc::SpherePack pack;
   for (int i = 0; i < 600; ++i)
@@ -32,13 +34,15 @@ inline ruc::SpherePack MakePack(double edge, const std::function<std::pair<doubl
     pack.Radius.push_back(sizeOf(i).first);
     pack.Mode.push_back(sizeOf(i).second);
   }
-  ruc::RemoveOverlap(pack, ruc::Window::MakeBox({ 0, 0, 0 }, { edge, edge, edge }, { true, true, true }), 1, [] { return true; });
+  ruc::RemoveOverlap(pack,
+    ruc::Window::MakeBox({ 0, 0, 0 }, { edge, edge, edge }, { true, true, true }), 1,
+    [] { return true; });
   return pack;
 }
 
 /** Those spheres of a pack for which `keep(i)`, with its box as field data. */
-inline vtkSmartPointer<vtkPolyData> MakePolyData(
-  const ruc::SpherePack& pack, double edge, bool periodic, const std::function<bool(std::size_t)>& keep)
+inline vtkSmartPointer<vtkPolyData> MakePolyData(const ruc::SpherePack& pack, double edge,
+  bool periodic, const std::function<bool(std::size_t)>& keep)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;

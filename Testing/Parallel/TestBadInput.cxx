@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Bad input gives one error, on rank 0, that names the filter, the array or property, what is required and what was got; every
- * output is empty on every rank, no rank waits for another, and the filter works again once the input is mended.
+ * Bad input gives one error, on rank 0, that names the filter, the array or property, what is
+ * required and what was got; every output is empty on every rank, no rank waits for another, and
+ * the filter works again once the input is mended.
  */
 #include "Packs.h"
 
@@ -60,7 +61,8 @@ bool IsEmpty(vtkAlgorithm* filter)
   for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
   {
     vtkDataObject* data = filter->GetOutputDataObject(port);
-    empty = empty && data->GetNumberOfElements(vtkDataObject::POINT) == 0 && data->GetNumberOfElements(vtkDataObject::ROW) == 0 &&
+    empty = empty && data->GetNumberOfElements(vtkDataObject::POINT) == 0 &&
+      data->GetNumberOfElements(vtkDataObject::ROW) == 0 &&
       data->GetFieldData()->GetNumberOfArrays() == 0;
   }
   return empty;
@@ -68,7 +70,8 @@ bool IsEmpty(vtkAlgorithm* filter)
 
 vtkMPIController* Controller;
 
-void CheckRefusal(vtkAlgorithm* filter, const Errors& errors, const std::string& what, const std::vector<std::string>& parts)
+void CheckRefusal(vtkAlgorithm* filter, const Errors& errors, const std::string& what,
+  const std::vector<std::string>& parts)
 {
   Check(IsEmpty(filter), what + ": outputs are empty");
   if (Controller->GetLocalProcessId() > 0)
@@ -81,7 +84,8 @@ void CheckRefusal(vtkAlgorithm* filter, const Errors& errors, const std::string&
   {
     for (const std::string& text : errors.Texts)
     {
-      Check(text.find(part) != std::string::npos, what + ": '" + part + "' in the message: " + text);
+      Check(
+        text.find(part) != std::string::npos, what + ": '" + part + "' in the message: " + text);
     }
   }
 }
@@ -89,13 +93,15 @@ void CheckRefusal(vtkAlgorithm* filter, const Errors& errors, const std::string&
 // The part of a pack that this rank holds: round robin, so each rank but one of three has some
 bool Mine(std::size_t i)
 {
-  return i % Controller->GetNumberOfProcesses() == static_cast<std::size_t>(Controller->GetLocalProcessId());
+  return i % Controller->GetNumberOfProcesses() ==
+    static_cast<std::size_t>(Controller->GetLocalProcessId());
 }
 
 // Runs a filter on a good pack, on a bad one made from it by `spoil`, and on the good one again
 template <class Filter>
-void Refuses(const std::string& what, const std::vector<std::string>& parts, const ruc::SpherePack& good,
-  const std::function<void(ruc::SpherePack&)>& spoil, const std::function<void(vtkPolyData*)>& spoilData = {},
+void Refuses(const std::string& what, const std::vector<std::string>& parts,
+  const ruc::SpherePack& good, const std::function<void(ruc::SpherePack&)>& spoil,
+  const std::function<void(vtkPolyData*)>& spoilData = {},
   const std::function<void(Filter*)>& spoilFilter = {}, bool periodic = true, double edge = Edge)
 {
   vtkNew<Filter> filter;
@@ -125,10 +131,12 @@ void Refuses(const std::string& what, const std::vector<std::string>& parts, con
   CheckRefusal(filter, errors, what, parts);
 }
 
-void RefusesText(const std::string& what, const std::string& text, const std::vector<std::string>& parts,
+void RefusesText(const std::string& what, const std::string& text,
+  const std::vector<std::string>& parts,
   const std::function<void(vtkRUCSpherePackReader*)>& configure = {})
 {
-  const std::string fileName = "bad_input_np" + std::to_string(Controller->GetNumberOfProcesses()) + ".csv";
+  const std::string fileName =
+    "bad_input_np" + std::to_string(Controller->GetNumberOfProcesses()) + ".csv";
   if (Controller->GetLocalProcessId() == 0)
   {
     std::ofstream(fileName, std::ios::binary) << text;
@@ -140,7 +148,8 @@ void RefusesText(const std::string& what, const std::string& text, const std::ve
   {
     configure(reader);
   }
-  // What reads nothing on the other ranks is the rank 0 of a serial reader; then the chain behind it on all ranks
+  // What reads nothing on the other ranks is the rank 0 of a serial reader; then the chain behind
+  // it on all ranks
   vtkNew<vtkPolyData> nothing;
   vtkNew<vtkRUCParticleModes> modes;
   const Errors following(modes);
@@ -162,7 +171,8 @@ void RefusesText(const std::string& what, const std::string& text, const std::ve
     CheckRefusal(reader, errors, what, all);
     std::remove(fileName.c_str());
   }
-  CheckRefusal(modes, following, what + ", the filter behind", { "Particle Modes", "at least one sphere" });
+  CheckRefusal(
+    modes, following, what + ", the filter behind", { "Particle Modes", "at least one sphere" });
 }
 }
 
@@ -175,17 +185,22 @@ int main(int argc, char* argv[])
 
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  const ruc::SpherePack pack = MakePack(Edge, [](int i) { return std::make_pair(0.4 + 0.1 * (i % 3), 1 + i % 3); });
+  const ruc::SpherePack pack =
+    MakePack(Edge, [](int i) { return std::make_pair(0.4 + 0.1 * (i % 3), 1 + i % 3); });
   const auto asIs = [](ruc::SpherePack&) {};
 
   // The pack
   using TwoPoint = vtkRUCTwoPointProbability;
   using Cell = vtkRUCUnitCellReconstruction;
   const std::string name = "Two-Point Probability";
-  Refuses<TwoPoint>("no points", { name, "at least one sphere", "no points" }, pack, [](auto& p) { p = {}; });
-  Refuses<vtkRUCOnePointProbability>("no points", { "One-Point Probability", "no points" }, pack, [](auto& p) { p = {}; });
-  Refuses<vtkRUCParticleModes>("no points", { "Particle Modes", "no points" }, pack, [](auto& p) { p = {}; });
-  Refuses<vtkRUCPeriodicReplicas>("no points", { "Periodic Replicas", "no points" }, pack, [](auto& p) { p = {}; });
+  Refuses<TwoPoint>(
+    "no points", { name, "at least one sphere", "no points" }, pack, [](auto& p) { p = {}; });
+  Refuses<vtkRUCOnePointProbability>(
+    "no points", { "One-Point Probability", "no points" }, pack, [](auto& p) { p = {}; });
+  Refuses<vtkRUCParticleModes>(
+    "no points", { "Particle Modes", "no points" }, pack, [](auto& p) { p = {}; });
+  Refuses<vtkRUCPeriodicReplicas>(
+    "no points", { "Periodic Replicas", "no points" }, pack, [](auto& p) { p = {}; });
   Refuses<TwoPoint>("no radius", { name, "'Radius' is required", "'Mode'" }, pack, asIs,
     [](vtkPolyData* d) { d->GetPointData()->RemoveArray("Radius"); });
   Refuses<TwoPoint>("no radius on one rank", { name, "'Radius' is required" }, pack, asIs,
@@ -205,7 +220,8 @@ int main(int argc, char* argv[])
       d->GetPointData()->RemoveArray("Radius");
       d->GetPointData()->AddArray(text);
     });
-  Refuses<TwoPoint>("radius of three components", { name, "'Radius' requires numbers of one component", "3 component" }, pack, asIs,
+  Refuses<TwoPoint>("radius of three components",
+    { name, "'Radius' requires numbers of one component", "3 component" }, pack, asIs,
     [](vtkPolyData* d)
     {
       vtkNew<vtkDoubleArray> vectors;
@@ -217,17 +233,22 @@ int main(int argc, char* argv[])
     });
   for (double radius : { nan, infinity, 0.0, -1.0 })
   {
-    Refuses<TwoPoint>("radius " + std::to_string(radius), { name, "'Radius' requires finite values > 0", "got" }, pack,
+    Refuses<TwoPoint>("radius " + std::to_string(radius),
+      { name, "'Radius' requires finite values > 0", "got" }, pack,
       [=](auto& p) { p.Radius[5] = radius; });
   }
-  Refuses<TwoPoint>("NaN coordinate", { name, "finite coordinates", "nan" }, pack, [=](auto& p) { p.Y[7] = nan; });
-  Refuses<TwoPoint>("infinite coordinate", { name, "finite coordinates", "inf" }, pack, [=](auto& p) { p.Z[7] = infinity; });
+  Refuses<TwoPoint>(
+    "NaN coordinate", { name, "finite coordinates", "nan" }, pack, [=](auto& p) { p.Y[7] = nan; });
+  Refuses<TwoPoint>("infinite coordinate", { name, "finite coordinates", "inf" }, pack,
+    [=](auto& p) { p.Z[7] = infinity; });
   Refuses<TwoPoint>("no modes", { name, "'Mode' is required" }, pack, asIs,
     [](vtkPolyData* d) { d->GetPointData()->RemoveArray("Mode"); });
-  Refuses<TwoPoint>("mode 0", { name, "'Mode' requires the values 1", "got 0" }, pack, [](auto& p) { p.Mode[3] = 0; });
+  Refuses<TwoPoint>("mode 0", { name, "'Mode' requires the values 1", "got 0" }, pack,
+    [](auto& p) { p.Mode[3] = 0; });
   Refuses<TwoPoint>("huge mode", { name, "'Mode' requires the values 1", "got 2000000000" }, pack,
     [](auto& p) { p.Mode[3] = 2000000000; });
-  Refuses<TwoPoint>("gap in the modes", { name, "'Mode' requires the values 1", "no sphere of mode 4" }, pack,
+  Refuses<TwoPoint>("gap in the modes",
+    { name, "'Mode' requires the values 1", "no sphere of mode 4" }, pack,
     [](auto& p) { p.Mode[3] = 5; });
   Refuses<TwoPoint>("coincident centres", { name, "distinct centres" }, pack,
     [](auto& p)
@@ -238,30 +259,38 @@ int main(int argc, char* argv[])
     });
 
   // The window
-  Refuses<TwoPoint>("centre outside the box", { name, "requires every centre inside", "1 of 600 outside" }, pack,
+  Refuses<TwoPoint>("centre outside the box",
+    { name, "requires every centre inside", "1 of 600 outside" }, pack,
     [](auto& p) { p.X[0] = 1.5 * Edge; });
   Refuses<TwoPoint>("box smaller than a sphere", { name, "BoxSize requires periodic edges longer" },
     pack, [](auto& p) { p.Radius[0] = 0.51 * Edge; });
-  Refuses<TwoPoint>("box of no size", { name, "BoxSize requires three finite edges > 0", "got 0 0 0" }, pack, asIs, {}, {}, true, 0.0);
-  Refuses<TwoPoint>("box of negative size", { name, "BoxSize requires three finite edges > 0", "got -3 -3 -3" }, pack, asIs, {}, {},
-    true, -3.0);
-  Refuses<TwoPoint>("lag beyond the window", { name, "MaximumLag requires 0 < MaximumLag <= ", "got 12" }, pack, asIs, {},
-    [](TwoPoint* f) { f->SetMaximumLag(12.0); }, false);
-  Refuses<TwoPoint>("lag beyond the periodic box", { name, "MaximumLag requires", "got 1e+09" }, pack, asIs, {},
-    [](TwoPoint* f) { f->SetMaximumLag(1e9); });
+  Refuses<TwoPoint>("box of no size",
+    { name, "BoxSize requires three finite edges > 0", "got 0 0 0" }, pack, asIs, {}, {}, true,
+    0.0);
+  Refuses<TwoPoint>("box of negative size",
+    { name, "BoxSize requires three finite edges > 0", "got -3 -3 -3" }, pack, asIs, {}, {}, true,
+    -3.0);
+  Refuses<TwoPoint>(
+    "lag beyond the window", { name, "MaximumLag requires 0 < MaximumLag <= ", "got 12" }, pack,
+    asIs, {}, [](TwoPoint* f) { f->SetMaximumLag(12.0); }, false);
+  Refuses<TwoPoint>("lag beyond the periodic box", { name, "MaximumLag requires", "got 1e+09" },
+    pack, asIs, {}, [](TwoPoint* f) { f->SetMaximumLag(1e9); });
   Refuses<TwoPoint>("negative lag", { name, "MaximumLag requires", "got -1" }, pack, asIs, {},
     [](TwoPoint* f) { f->SetMaximumLag(-1.0); });
   for (int lags : { 0, -5, 2000000000 })
   {
-    Refuses<TwoPoint>("lags " + std::to_string(lags), { name, "NumberOfLags requires 1 <= NumberOfLags <= 100000", std::to_string(lags) },
-      pack, asIs, {}, [=](TwoPoint* f) { f->SetNumberOfLags(lags); });
+    Refuses<TwoPoint>("lags " + std::to_string(lags),
+      { name, "NumberOfLags requires 1 <= NumberOfLags <= 100000", std::to_string(lags) }, pack,
+      asIs, {}, [=](TwoPoint* f) { f->SetNumberOfLags(lags); });
   }
   Refuses<TwoPoint>("tolerance", { name, "SaturationTolerance requires", "got 0" }, pack, asIs, {},
     [](TwoPoint* f) { f->SetSaturationTolerance(0.0); });
 
   // The cell
   const std::string cell = "Unit Cell Reconstruction";
-  Refuses<Cell>("no sphere of a mode in the cell", { cell, "at least one sphere of every mode", "mode 1", "CellSize" }, pack,
+  Refuses<Cell>(
+    "no sphere of a mode in the cell",
+    { cell, "at least one sphere of every mode", "mode 1", "CellSize" }, pack,
     [](auto& p)
     {
       for (std::size_t i = 1; i < p.Size(); ++i)
@@ -269,29 +298,35 @@ int main(int argc, char* argv[])
         p.Mode[i] = 2 + i % 2;
       }
       p.Mode[0] = 1;
-    }, {}, [](Cell* f) { f->SetNumberOfParticles(20); });
-  Refuses<Cell>("lags 0", { cell, "NumberOfLags requires", "got 0" }, pack, asIs, {}, [](Cell* f) { f->SetNumberOfLags(0); });
-  Refuses<Cell>("negative cell", { cell, "CellSize requires", "got -2" }, pack, asIs, {}, [](Cell* f) { f->SetCellSize(-2.0); });
-  Refuses<Cell>("lag beyond the pack", { cell, "MaximumLag requires", "got 11.9" }, pack, asIs, {},
+    },
+    {}, [](Cell* f) { f->SetNumberOfParticles(20); });
+  Refuses<Cell>("lags 0", { cell, "NumberOfLags requires", "got 0" }, pack, asIs, {},
+    [](Cell* f) { f->SetNumberOfLags(0); });
+  Refuses<Cell>("negative cell", { cell, "CellSize requires", "got -2" }, pack, asIs, {},
+    [](Cell* f) { f->SetCellSize(-2.0); });
+  Refuses<Cell>(
+    "lag beyond the pack", { cell, "MaximumLag requires", "got 11.9" }, pack, asIs, {},
     [](Cell* f) { f->SetMaximumLag(11.9); }, false);
-  Refuses<Cell>("negative iterations", { cell, "MaximumIterations requires", "got -1" }, pack, asIs, {},
-    [](Cell* f) { f->SetMaximumIterations(-1); });
+  Refuses<Cell>("negative iterations", { cell, "MaximumIterations requires", "got -1" }, pack, asIs,
+    {}, [](Cell* f) { f->SetMaximumIterations(-1); });
 
   // Modes and replicas
   using Modes = vtkRUCParticleModes;
-  Refuses<Modes>("no modes wanted", { "Particle Modes", "NumberOfModes requires", "got 0" }, pack, asIs, {},
-    [](Modes* f) { f->SetNumberOfModes(0); });
-  Refuses<Modes>("edges that leave spheres out", { "Particle Modes", "Edges requires every diameter" }, pack, asIs, {},
+  Refuses<Modes>("no modes wanted", { "Particle Modes", "NumberOfModes requires", "got 0" }, pack,
+    asIs, {}, [](Modes* f) { f->SetNumberOfModes(0); });
+  Refuses<Modes>("edges that leave spheres out",
+    { "Particle Modes", "Edges requires every diameter" }, pack, asIs, {},
     [](Modes* f)
     {
       f->SetMethod(Modes::EXPLICIT_EDGES);
       f->SetEdge(0, 0.9);
       f->SetEdge(1, 2.0);
     });
-  Refuses<Modes>("nothing left", { "Particle Modes", "MinimumDiameter requires", "got 50" }, pack, asIs, {},
-    [](Modes* f) { f->SetMinimumDiameter(50.0); });
+  Refuses<Modes>("nothing left", { "Particle Modes", "MinimumDiameter requires", "got 50" }, pack,
+    asIs, {}, [](Modes* f) { f->SetMinimumDiameter(50.0); });
   using Replicas = vtkRUCPeriodicReplicas;
-  Refuses<Replicas>("no tiles", { "Periodic Replicas", "Tiles requires", "got 0 1 1" }, pack, asIs, {},
+  Refuses<Replicas>("no tiles", { "Periodic Replicas", "Tiles requires", "got 0 1 1" }, pack, asIs,
+    {},
     [](Replicas* f)
     {
       f->SetMode(Replicas::TILING);
@@ -300,14 +335,18 @@ int main(int argc, char* argv[])
 
   // The text
   RefusesText("missing column", "x,y,radius\n1,2,3\n", { "Line 1", "'z' is required" });
-  RefusesText("missing radius", "x,y,z,size\n1,2,3,4\n", { "Line 1", "'radius' or 'diameter' is required" });
+  RefusesText(
+    "missing radius", "x,y,z,size\n1,2,3,4\n", { "Line 1", "'radius' or 'diameter' is required" });
   RefusesText("text in a number", "x,y,z,radius\n1,2,3,4\n1,2,3x,4\n", { "Line 3", "'z'", "'3x'" });
-  RefusesText("short row", "x,y,z,radius\n1,2,3,4\n\n1,2,3\n", { "Line 4", "4 fields are required", "got 3" });
+  RefusesText("short row", "x,y,z,radius\n1,2,3,4\n\n1,2,3\n",
+    { "Line 4", "4 fields are required", "got 3" });
   RefusesText("empty file", "", { "At least one line with a sphere" });
   RefusesText("header alone", "x,y,z,radius\n", { "At least one line with a sphere" });
-  RefusesText("negative radius", "x,y,z,radius\n1,2,3,-4\n", { "Line 2", "'radius'", "> 0", "'-4'" });
+  RefusesText(
+    "negative radius", "x,y,z,radius\n1,2,3,-4\n", { "Line 2", "'radius'", "> 0", "'-4'" });
   RefusesText("NaN radius", "1 2 3 nan\n", { "Line 1", "finite", "'nan'" });
-  RefusesText("long line", "x,y,z,radius\n1,2,3,4\n" + std::string(10 * 1024 * 1024, '1') + "\n", { "Line 3", "65536", "10485760" });
+  RefusesText("long line", "x,y,z,radius\n1,2,3,4\n" + std::string(10 * 1024 * 1024, '1') + "\n",
+    { "Line 3", "65536", "10485760" });
   RefusesText("not UTF-8", "x,y,z,radius\n1,2,3,4\n1,2,\xb5,4\n", { "Line 3", "UTF-8", "181" });
   RefusesText("periodic box too small", "x,y,z,radius\n1,2,3,0.5\n", { "BoxSize", "Line 2" },
     [](vtkRUCSpherePackReader* r) { r->SetBoxSize(2.0, 2.0, 2.0); });

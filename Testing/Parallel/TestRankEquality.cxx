@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Every filter gives the same bits whatever the number of ranks and threads, and however the pack is spread over the ranks:
- * each rank compares what all ranks work out together with what it works out alone.
+ * Every filter gives the same bits whatever the number of ranks and threads, and however the pack
+ * is spread over the ranks: each rank compares what all ranks work out together with what it works
+ * out alone.
  */
 #include "Packs.h"
 
@@ -46,7 +47,8 @@ std::vector<double> Numbers(vtkDataObject* data)
       vtkDataArray* array = fields->GetArray(a);
       for (vtkIdType v = 0; array && v < array->GetNumberOfValues(); ++v)
       {
-        numbers.push_back(array->GetComponent(v / array->GetNumberOfComponents(), v % array->GetNumberOfComponents()));
+        numbers.push_back(array->GetComponent(
+          v / array->GetNumberOfComponents(), v % array->GetNumberOfComponents()));
       }
     }
   };
@@ -69,13 +71,15 @@ std::vector<double> Numbers(vtkDataObject* data)
 bool Same(const std::vector<double>& a, const std::vector<double>& b)
 {
   return a.size() == b.size() &&
-    std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return x == y || (x != x && y != y); });
+    std::equal(a.begin(), a.end(), b.begin(),
+      [](double x, double y) { return x == y || (x != x && y != y); });
 }
 
-// Runs the filter on all ranks with `piece` and on this one alone with `whole`; rank 0 compares every output
+// Runs the filter on all ranks with `piece` and on this one alone with `whole`; rank 0 compares
+// every output
 template <class Filter>
-void Compare(vtkMPIController* controller, const std::string& name, vtkPolyData* piece, vtkPolyData* whole,
-  const std::function<void(Filter*)>& configure, bool spreadOutput = false)
+void Compare(vtkMPIController* controller, const std::string& name, vtkPolyData* piece,
+  vtkPolyData* whole, const std::function<void(Filter*)>& configure, bool spreadOutput = false)
 {
   vtkNew<Filter> together;
   configure(together);
@@ -92,8 +96,9 @@ void Compare(vtkMPIController* controller, const std::string& name, vtkPolyData*
     vtkDataObject* got = together->GetOutputDataObject(port);
     const std::string what = name + ", output " + std::to_string(port);
     // Tiles are asked for without their surfaces
-    Check((expected->GetNumberOfElements(vtkDataObject::POINT) + expected->GetNumberOfElements(vtkDataObject::ROW) > 0) !=
-        (name.find("tiles") == 0 && port == 2),
+    Check((expected->GetNumberOfElements(vtkDataObject::POINT) +
+              expected->GetNumberOfElements(vtkDataObject::ROW) >
+            0) != (name.find("tiles") == 0 && port == 2),
       what + " is empty or not, as asked");
     if (spreadOutput && port != 1)
     {
@@ -114,7 +119,8 @@ void Compare(vtkMPIController* controller, const std::string& name, vtkPolyData*
         const std::array<double, 3> place = { p[0], p[1], p[2] };
         const double* q = all->GetPoint(first + i);
         Check(place[0] == q[0] && place[1] == q[1] && place[2] == q[2] &&
-            points->GetPointData()->GetArray("Radius")->GetTuple1(i) == all->GetPointData()->GetArray("Radius")->GetTuple1(first + i),
+            points->GetPointData()->GetArray("Radius")->GetTuple1(i) ==
+              all->GetPointData()->GetArray("Radius")->GetTuple1(first + i),
           what + ", point " + std::to_string(first + i));
       }
       vtkIdType total = 0;
@@ -128,7 +134,9 @@ void Compare(vtkMPIController* controller, const std::string& name, vtkPolyData*
     }
     else
     {
-      Check(got->GetNumberOfElements(vtkDataObject::POINT) + got->GetNumberOfElements(vtkDataObject::ROW) == 0,
+      Check(got->GetNumberOfElements(vtkDataObject::POINT) +
+            got->GetNumberOfElements(vtkDataObject::ROW) ==
+          0,
         what + " is on rank 0 alone");
     }
   }
@@ -144,9 +152,11 @@ int main(int argc, char* argv[])
   const std::size_t ranks = controller->GetNumberOfProcesses();
 
   constexpr double edge = 12.0;
-  const ruc::SpherePack fewSizes = MakePack(edge, [](int i) { return std::make_pair(0.4 + 0.1 * (i % 3), 1 + i % 3); });
+  const ruc::SpherePack fewSizes =
+    MakePack(edge, [](int i) { return std::make_pair(0.4 + 0.1 * (i % 3), 1 + i % 3); });
   // more distinct radii than the tables take: the direct pair sum
-  const ruc::SpherePack manySizes = MakePack(edge, [](int i) { return std::make_pair(0.4 + 0.0004 * i, 1 + i / 300); });
+  const ruc::SpherePack manySizes =
+    MakePack(edge, [](int i) { return std::make_pair(0.4 + 0.0004 * i, 1 + i / 300); });
 
   const struct
   {
@@ -156,7 +166,8 @@ int main(int argc, char* argv[])
     { "all on the last rank", [&](std::size_t) { return rank == ranks - 1; } },
     { "in turn", [&](std::size_t i) { return i % ranks == rank; } },
     { "backwards, rank 0 empty where there are others",
-      [&](std::size_t i) { return ranks == 1 || (rank > 0 && (i % (ranks - 1)) + 1 == ranks - rank); } },
+      [&](std::size_t i)
+      { return ranks == 1 || (rank > 0 && (i % (ranks - 1)) + 1 == ranks - rank); } },
   };
   for (const ruc::SpherePack& pack : { fewSizes, manySizes })
   {
@@ -167,8 +178,10 @@ int main(int argc, char* argv[])
       {
         const auto piece = MakePolyData(pack, edge, periodic, spread.Keep);
         const std::string name = std::string(periodic ? "periodic" : "block") + ", " + spread.Name;
-        Compare<vtkRUCOnePointProbability>(controller, "one-point, " + name, piece, whole, [](auto*) {});
-        Compare<vtkRUCTwoPointProbability>(controller, "two-point, " + name, piece, whole, [](auto* f) { f->SetNumberOfLags(40); });
+        Compare<vtkRUCOnePointProbability>(
+          controller, "one-point, " + name, piece, whole, [](auto*) {});
+        Compare<vtkRUCTwoPointProbability>(
+          controller, "two-point, " + name, piece, whole, [](auto* f) { f->SetNumberOfLags(40); });
         Compare<vtkRUCUnitCellReconstruction>(controller, "cell, " + name, piece, whole,
           [](auto* f)
           {
@@ -178,7 +191,8 @@ int main(int argc, char* argv[])
           });
         if (periodic)
         {
-          Compare<vtkRUCPeriodicReplicas>(controller, "copies, " + name, piece, whole,
+          Compare<vtkRUCPeriodicReplicas>(
+            controller, "copies, " + name, piece, whole,
             [](auto* f)
             {
               f->SetClipToBox(true);
@@ -205,10 +219,13 @@ int main(int argc, char* argv[])
         alone->SetInputData(whole);
         alone->Update();
         auto* output = vtkPolyData::SafeDownCast(modes->GetOutputDataObject(0));
-        Check(output->GetNumberOfPoints() == piece->GetNumberOfPoints(), "modes keep every sphere, " + name);
+        Check(output->GetNumberOfPoints() == piece->GetNumberOfPoints(),
+          "modes keep every sphere, " + name);
         if (rank == 0)
         {
-          Check(Same(Numbers(modes->GetOutputDataObject(1)), Numbers(alone->GetOutputDataObject(1))), "table of modes, " + name);
+          Check(
+            Same(Numbers(modes->GetOutputDataObject(1)), Numbers(alone->GetOutputDataObject(1))),
+            "table of modes, " + name);
         }
       }
     }

@@ -4,8 +4,8 @@
 
 /**
  * @file
- * What the tests compare with: integrals by quadrature, pairs by brute force over images, random packs. Nothing here
- * uses the core's own formulas or its cell list.
+ * What the tests compare with: integrals by quadrature, pairs by brute force over images, random
+ * packs. Nothing here uses the core's own formulas or its cell list.
  */
 
 #include "Geometry/SpherePack.h"
@@ -26,7 +26,8 @@ namespace oracle
 {
 constexpr double Pi = 3.14159265358979323846;
 
-/** What a std::invalid_argument says; a text no message contains when nothing or something else is thrown. */
+/** What a std::invalid_argument says; a text no message contains when nothing or something else is
+ * thrown. */
 template <class Function>
 std::string MessageOf(Function&& function)
 {
@@ -46,11 +47,12 @@ std::string MessageOf(Function&& function)
 }
 
 /** Expects `call` to throw std::invalid_argument with `part` in its message. */
-#define EXPECT_SAYS(call, part)                                                                                         \
-  do                                                                                                                    \
-  {                                                                                                                     \
-    const std::string message = oracle::MessageOf([&]() { call; });                                                     \
-    EXPECT_NE(message.find(part), std::string::npos) << "message: " << message << "\nwanted: " << (part);               \
+#define EXPECT_SAYS(call, part)                                                                    \
+  do                                                                                               \
+  {                                                                                                \
+    const std::string message = oracle::MessageOf([&]() { call; });                                \
+    EXPECT_NE(message.find(part), std::string::npos)                                               \
+      << "message: " << message << "\nwanted: " << (part);                                         \
   } while (false)
 
 class Uniform
@@ -61,7 +63,10 @@ public:
   {
   }
   /** In [low, high). */
-  double operator()(double low = 0.0, double high = 1.0) { return low + (high - low) * ((this->Generator() >> 11) * 0x1p-53); }
+  double operator()(double low = 0.0, double high = 1.0)
+  {
+    return low + (high - low) * ((this->Generator() >> 11) * 0x1p-53);
+  }
 
   ruc::Vector3 Direction()
   {
@@ -75,7 +80,8 @@ private:
   std::mt19937_64 Generator;
 };
 
-/** Double-exponential quadrature: also for integrands with a root or a kink at an end of the interval. */
+/** Double-exponential quadrature: also for integrands with a root or a kink at an end of the
+ * interval. */
 template <class Function>
 double Integrate(double from, double to, Function&& f)
 {
@@ -111,8 +117,9 @@ double Integrate(double from, double to, std::vector<double> kinks, Function&& f
 }
 
 /**
- * Volume shared by two spheres: the area of the lesser of the two coaxial discs, integrated along the line of centres. It
- * is a polynomial of degree 2 between its kinks, for which Simpson's rule is exact.
+ * Volume shared by two spheres: the area of the lesser of the two coaxial discs, integrated along
+ * the line of centres. It is a polynomial of degree 2 between its kinks, for which Simpson's rule
+ * is exact.
  */
 inline double LensVolume(double a, double b, double t)
 {
@@ -122,13 +129,15 @@ inline double LensVolume(double a, double b, double t)
     return 0.0;
   }
   const double crossing = t > 0.0 ? std::clamp(0.5 * (t * t + a * a - b * b) / t, from, to) : from;
-  const auto area = [&](double z) { return Pi * std::max(std::min(a * a - z * z, b * b - (z - t) * (z - t)), 0.0); };
+  const auto area = [&](double z)
+  { return Pi * std::max(std::min(a * a - z * z, b * b - (z - t) * (z - t)), 0.0); };
   const auto simpson = [&](double low, double high)
   { return (high - low) / 6.0 * (area(low) + 4.0 * area(0.5 * (low + high)) + area(high)); };
   return simpson(from, crossing) + simpson(crossing, to);
 }
 
-/** Mean of the lens volume over all directions of the lag: 1/2 integral over mu of V(sqrt(d^2 + r^2 - 2 d r mu)). */
+/** Mean of the lens volume over all directions of the lag: 1/2 integral over mu of V(sqrt(d^2 + r^2
+ * - 2 d r mu)). */
 inline double AveragedLens(double a, double b, double r, double d)
 {
   if (r == 0.0 || d == 0.0)
@@ -142,21 +151,25 @@ inline double AveragedLens(double a, double b, double r, double d)
   }
   return 0.5 *
     Integrate(-1.0, 1.0, kinks,
-      [&](double mu) { return LensVolume(a, b, std::sqrt(std::max(d * d + r * r - 2.0 * d * r * mu, 0.0))); });
+      [&](double mu)
+      { return LensVolume(a, b, std::sqrt(std::max(d * d + r * r - 2.0 * d * r * mu, 0.0))); });
 }
 
 /**
- * Bound of the error of g_ab(r; d) when it is interpolated by cubic Hermite polynomials on knots H apart, the contact
- * a + b being one. A jump J of the third derivative inside an interval makes an error of J H^3 / 192 at most, a fourth
- * derivative M one of M H^4 / 384. h_ab = 2 d r g jumps by 2 pi a b at t = d - r and d + r equal to a + b and |a - b|, for
- * equal radii by 4 pi a b at t = 0; in between its fourth derivative is at most 4 pi max(a, b). Twice that for the factor
- * 1 / d, and for two jumps in one interval. A jump at a distance r from a knot makes an error of 0.074 J r^2 H at most: for
- * r < H / 4, where those at the contact a + b are so near to its knot, the error falls with r.
+ * Bound of the error of g_ab(r; d) when it is interpolated by cubic Hermite polynomials on knots H
+ * apart, the contact a + b being one. A jump J of the third derivative inside an interval makes an
+ * error of J H^3 / 192 at most, a fourth derivative M one of M H^4 / 384. h_ab = 2 d r g jumps by 2
+ * pi a b at t = d - r and d + r equal to a + b and |a - b|, for equal radii by 4 pi a b at t = 0;
+ * in between its fourth derivative is at most 4 pi max(a, b). Twice that for the factor 1 / d, and
+ * for two jumps in one interval. A jump at a distance r from a knot makes an error of 0.074 J r^2 H
+ * at most: for r < H / 4, where those at the contact a + b are so near to its knot, the error falls
+ * with r.
  */
 inline double HermiteError(double a, double b, double r, double d, double knots)
 {
   const double s = a + b, q = std::abs(a - b);
-  const double quotient = 1.0 / (2.0 * std::max(r, 0.25 * knots) * std::max(d - knots, 0.25 * knots));
+  const double quotient =
+    1.0 / (2.0 * std::max(r, 0.25 * knots) * std::max(d - knots, 0.25 * knots));
   double bound = 0.0;
   for (double t : { std::abs(d - r), d + r })
   {
@@ -177,8 +190,9 @@ inline double HermiteError(double a, double b, double r, double d, double knots)
 }
 
 /**
- * Calls visit(i, j, image, d) once for every unordered pair of a centre i and the image of a centre j, `image` whole edges
- * away, that are closer than the cut-off; i <= j, and image > 0 lexicographically for i = j.
+ * Calls visit(i, j, image, d) once for every unordered pair of a centre i and the image of a centre
+ * j, `image` whole edges away, that are closer than the cut-off; i <= j, and image > 0
+ * lexicographically for i = j.
  */
 template <class Visit>
 void ForEachPair(const ruc::SpherePack& pack, const ruc::Window& box, double cutoff, Visit&& visit)
@@ -218,11 +232,13 @@ void ForEachPair(const ruc::SpherePack& pack, const ruc::Window& box, double cut
   }
 }
 
-/** The least d - (a + b)(1 - 1e-12) over all pairs and images: the plugin's promise is that it is not negative. */
+/** The least d - (a + b)(1 - 1e-12) over all pairs and images: the plugin's promise is that it is
+ * not negative. */
 inline double LeastGap(const ruc::SpherePack& pack, const ruc::Window& box)
 {
   double least = 1e300;
-  ForEachPair(pack, box, 2.1 * pack.LargestRadius(), [&](std::size_t i, std::size_t j, const std::array<int, 3>&, double d)
+  ForEachPair(pack, box, 2.1 * pack.LargestRadius(),
+    [&](std::size_t i, std::size_t j, const std::array<int, 3>&, double d)
     { least = std::min(least, d - (pack.Radius[i] + pack.Radius[j]) * (1.0 - 1e-12)); });
   return least;
 }
@@ -233,8 +249,8 @@ inline ruc::Window PeriodicCube(double edge)
 }
 
 /** `counts[m]` spheres of radius `radii[m]` and mode m + 1 at random places of a box. */
-inline ruc::SpherePack RandomPack(
-  const std::vector<int>& counts, const std::vector<double>& radii, const ruc::Window& box, std::uint64_t seed)
+inline ruc::SpherePack RandomPack(const std::vector<int>& counts, const std::vector<double>& radii,
+  const ruc::Window& box, std::uint64_t seed)
 {
   Uniform random(seed);
   ruc::SpherePack pack;
@@ -253,8 +269,8 @@ inline ruc::SpherePack RandomPack(
 }
 
 /** The same without overlap, in canonical order. */
-inline ruc::SpherePack RelaxedPack(
-  const std::vector<int>& counts, const std::vector<double>& radii, const ruc::Window& box, std::uint64_t seed)
+inline ruc::SpherePack RelaxedPack(const std::vector<int>& counts, const std::vector<double>& radii,
+  const ruc::Window& box, std::uint64_t seed)
 {
   ruc::SpherePack pack = RandomPack(counts, radii, box, seed);
   EXPECT_TRUE(ruc::RemoveOverlap(pack, box, 1, []() { return true; }));

@@ -9,7 +9,8 @@
 
 namespace
 {
-const ruc::Window Block = ruc::Window::MakeBox({ 0, 0, 0 }, { 20, 25, 30 }, { false, false, false });
+const ruc::Window Block =
+  ruc::Window::MakeBox({ 0, 0, 0 }, { 20, 25, 30 }, { false, false, false });
 
 // Sizes differ within a mode
 ruc::SpherePack Pack()
@@ -24,12 +25,16 @@ ruc::SpherePack Pack()
 }
 
 // F1 by its definition (11)
-double Difference(const ruc::CellContents& contents, const std::vector<double>& fractions, double edge)
+double Difference(
+  const ruc::CellContents& contents, const std::vector<double>& fractions, double edge)
 {
   double sum = 0.0;
   for (std::size_t m = 0; m < contents.Count.size(); ++m)
   {
-    sum += std::pow(fractions[m] - 4.0 * oracle::Pi * std::pow(contents.Radius[m], 3) * contents.Count[m] / (3.0 * std::pow(edge, 3)), 2);
+    sum += std::pow(fractions[m] -
+        4.0 * oracle::Pi * std::pow(contents.Radius[m], 3) * contents.Count[m] /
+          (3.0 * std::pow(edge, 3)),
+      2);
   }
   return std::sqrt(sum);
 }
@@ -75,13 +80,15 @@ TEST(CellContents, EdgeMinimisesTheDifferenceOfTheFractions)
     // F1 rises on both sides: h_c is the minimum and not a plateau
     EXPECT_GT(Difference(contents, fractions, contents.Edge * 1.001), least * (1.0 + 1e-9));
     EXPECT_GT(Difference(contents, fractions, contents.Edge * 0.999), least * (1.0 + 1e-9));
-    EXPECT_NEAR(ruc::OnePointDifference(contents, fractions, 1.1 * edge), Difference(contents, fractions, 1.1 * edge), 1e-14);
+    EXPECT_NEAR(ruc::OnePointDifference(contents, fractions, 1.1 * edge),
+      Difference(contents, fractions, 1.1 * edge), 1e-14);
   }
 }
 
 TEST(CellContents, AnExactShareKeepsTheFractionsAndTheEdge)
 {
-  // One eighth of a pack whose counts divide by 8 has the fractions of the pack: F1 = 0 at half the edge.
+  // One eighth of a pack whose counts divide by 8 has the fractions of the pack: F1 = 0 at half the
+  // edge.
   const ruc::Window box = oracle::PeriodicCube(20.0);
   const ruc::SpherePack pack = oracle::RandomPack({ 80, 160 }, { 1.0, 0.5 }, box, 1);
   const ruc::CellContents contents = ruc::FindCellContents(pack, box, 10.0);
@@ -114,7 +121,8 @@ TEST(CellContents, AnImpossibleNumberGivesTheNext)
 TEST(CellContents, EveryModeNeedsASphere)
 {
   const ruc::SpherePack pack = oracle::RandomPack({ 400, 150, 3 }, { 0.4, 0.8, 1.3 }, Block, 17);
-  EXPECT_SAYS(ruc::FindCellContents(pack, Block, 8.0), "none of mode 3 (3 of the pack's 553 spheres");
+  EXPECT_SAYS(
+    ruc::FindCellContents(pack, Block, 8.0), "none of mode 3 (3 of the pack's 553 spheres");
   EXPECT_SAYS(ruc::FindCellContents(pack, Block, 30), "none of mode 3");
   // at twice the volume that rounds up to one sphere there is one
   EXPECT_EQ(ruc::FindCellContents(pack, Block, std::cbrt(15000.0 / 3.0)).Count[2], 1);
@@ -125,7 +133,8 @@ TEST(CellContents, TheSizeTheMessageAdvisesWorks)
   for (int rare : { 1, 2, 3, 5, 7, 11 })
   {
     const ruc::SpherePack pack = oracle::RandomPack({ 4000, rare }, { 0.4, 0.5 }, Block, 17);
-    const std::string message = oracle::MessageOf([&]() { ruc::FindCellContents(pack, Block, 2.0); });
+    const std::string message =
+      oracle::MessageOf([&]() { ruc::FindCellContents(pack, Block, 2.0); });
     const std::size_t at = message.find("CellSize to ");
     ASSERT_NE(at, std::string::npos) << message;
     const double advised = std::stod(message.substr(at + 12));
@@ -137,5 +146,6 @@ TEST(CellContents, TheLargestSphereNeedsRoom)
 {
   // four spheres of diameter 19 fill no more than a cell of about their own size
   const ruc::SpherePack pack = oracle::RandomPack({ 4, 400 }, { 9.5, 0.1 }, Block, 17);
-  EXPECT_SAYS(ruc::FindCellContents(pack, Block, 13.0), "CellSize requires an edge longer than the largest sphere's diameter, 19");
+  EXPECT_SAYS(ruc::FindCellContents(pack, Block, 13.0),
+    "CellSize requires an edge longer than the largest sphere's diameter, 19");
 }

@@ -25,18 +25,20 @@ std::map<Pair, int> PairsOfCells(const ruc::SpherePack& pack, const ruc::Window&
     {
       for (std::size_t other = range.Begin; other < range.End; ++other)
       {
-        const double d =
-          std::sqrt(std::pow(cells.X[other] - range.X, 2) + std::pow(cells.Y[other] - range.Y, 2) + std::pow(cells.Z[other] - range.Z, 2));
+        const double d = std::sqrt(std::pow(cells.X[other] - range.X, 2) +
+          std::pow(cells.Y[other] - range.Y, 2) + std::pow(cells.Z[other] - range.Z, 2));
         if (!(d < cutoff))
         {
           continue;
         }
         std::size_t i = cells.Index[place], j = cells.Index[other];
-        const auto edges = [&](double shift, int q) { return static_cast<int>(std::lround(shift / box.Size[q])); };
+        const auto edges = [&](double shift, int q)
+        { return static_cast<int>(std::lround(shift / box.Size[q])); };
         std::array<int, 3> image = { 0, 0, 0 };
         if (box.GetShape() == ruc::Window::Shape::Box)
         {
-          image = { edges(cells.X[place] - range.X, 0), edges(cells.Y[place] - range.Y, 1), edges(cells.Z[place] - range.Z, 2) };
+          image = { edges(cells.X[place] - range.X, 0), edges(cells.Y[place] - range.Y, 1),
+            edges(cells.Z[place] - range.Z, 2) };
         }
         if (i > j || (i == j && image < std::array<int, 3>{ 0, 0, 0 }))
         {
@@ -62,11 +64,12 @@ void ExpectAllPairsOnce(const ruc::SpherePack& pack, const ruc::Window& box, dou
       ++neighbours[j];
     });
   EXPECT_EQ(PairsOfCells(pack, box, cutoff), expected) << "cutoff " << cutoff;
-  EXPECT_GE(ruc::CellList(pack, box, cutoff).MostNeighbours(), *std::max_element(neighbours.begin(), neighbours.end()));
+  EXPECT_GE(ruc::CellList(pack, box, cutoff).MostNeighbours(),
+    *std::max_element(neighbours.begin(), neighbours.end()));
 }
 
-constexpr std::array<bool, 3> Periodicities[] = { { false, false, false }, { true, true, true }, { true, false, true },
-  { false, true, false }, { false, false, true } };
+constexpr std::array<bool, 3> Periodicities[] = { { false, false, false }, { true, true, true },
+  { true, false, true }, { false, true, false }, { false, false, true } };
 }
 
 TEST(CellList, FindsEveryPairOfImagesOnce)
@@ -97,7 +100,8 @@ TEST(CellList, FindsEveryPairOfManyCells)
 
 TEST(CellList, OneSphereMeetsItsImages)
 {
-  const ruc::Window box = ruc::Window::MakeBox({ 0, 0, 0 }, { 1.0, 2.0, 1.5 }, { true, true, true });
+  const ruc::Window box =
+    ruc::Window::MakeBox({ 0, 0, 0 }, { 1.0, 2.0, 1.5 }, { true, true, true });
   const ruc::SpherePack pack = oracle::RandomPack({ 1 }, { 0.1 }, box, 4);
   for (double cutoff : { 0.5, 1.2, 3.3, 8.1 })
   {
@@ -107,12 +111,14 @@ TEST(CellList, OneSphereMeetsItsImages)
 
 TEST(CellList, LongAndFlatBoxes)
 {
-  for (const ruc::Vector3& size : { ruc::Vector3{ 50.0, 1.0, 1.0 }, { 10.0, 0.2, 10.0 }, { 0.3, 0.3, 40.0 } })
+  for (const ruc::Vector3& size :
+    { ruc::Vector3{ 50.0, 1.0, 1.0 }, { 10.0, 0.2, 10.0 }, { 0.3, 0.3, 40.0 } })
   {
     for (const std::array<bool, 3>& periodic : Periodicities)
     {
       const ruc::Window box = ruc::Window::MakeBox({ 0, 0, 0 }, size, periodic);
-      ExpectAllPairsOnce(oracle::RandomPack({ 80 }, { 0.1 }, box, 23), box, 0.87); // no multiple of an edge
+      ExpectAllPairsOnce(
+        oracle::RandomPack({ 80 }, { 0.1 }, box, 23), box, 0.87); // no multiple of an edge
     }
   }
 }
@@ -134,7 +140,8 @@ TEST(CellList, DegeneratePacks)
 
 TEST(CellList, CentresOnFacesAndCellBorders)
 {
-  // a lattice whose centres lie on the borders of the cells, with a cut-off just above and just below a lattice distance
+  // a lattice whose centres lie on the borders of the cells, with a cut-off just above and just
+  // below a lattice distance
   for (const std::array<bool, 3>& periodic : Periodicities)
   {
     const ruc::Window box = ruc::Window::MakeBox({ 0, 0, 0 }, { 0.5, 0.6, 0.7 }, periodic);
@@ -157,7 +164,8 @@ TEST(CellList, CentresOnFacesAndCellBorders)
 TEST(CellList, CylinderWindowHasNoImages)
 {
   const ruc::Window cylinder = ruc::Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, 2.0, 3.0);
-  ruc::SpherePack pack = oracle::RandomPack({ 200 }, { 0.1 }, ruc::Window::MakeBox({ -2, -2, 0 }, { 4, 4, 3 }, { false, false, false }), 7);
+  ruc::SpherePack pack = oracle::RandomPack(
+    { 200 }, { 0.1 }, ruc::Window::MakeBox({ -2, -2, 0 }, { 4, 4, 3 }, { false, false, false }), 7);
   pack = ruc::CropToWindow(pack, cylinder);
   ExpectAllPairsOnce(pack, cylinder, 0.8);
 }

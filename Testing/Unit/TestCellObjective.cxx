@@ -66,17 +66,20 @@ TEST(CellObjective, AgreesWithTheFinerTablesOfThePairSum)
     for (bool relaxed : { false, true })
     {
       const std::vector<double> centres = Centres(51, relaxed);
-      const double exact = ruc::TwoPointDifference(target, Measure(objective.MakePack(centres.data()), objective.MakeBox(), lags));
+      const double exact = ruc::TwoPointDifference(
+        target, Measure(objective.MakePack(centres.data()), objective.MakeBox(), lags));
       EXPECT_GT(exact, 0.01);
       // tables of 1/4 of the smaller radius: 1e-3 of F2 is what the search asks of them
-      EXPECT_NEAR(objective.Evaluate(centres.data(), nullptr).TwoPoint, exact, 1e-3 * exact) << relaxed;
+      EXPECT_NEAR(objective.Evaluate(centres.data(), nullptr).TwoPoint, exact, 1e-3 * exact)
+        << relaxed;
     }
   }
 }
 
 TEST(CellObjective, LagZeroHoldsTheOverlap)
 {
-  // Every pair that overlaps adds its lens twice to the sum of S_rs(0): the search reads its overlap in percent from it.
+  // Every pair that overlaps adds its lens twice to the sum of S_rs(0): the search reads its
+  // overlap in percent from it.
   ruc::Communicator serial;
   const TwoPointProbability target = Target(Fine);
   CellObjective objective(Contents(), target, serial);
@@ -114,8 +117,8 @@ TEST(CellObjective, IsZeroForItsOwnTarget)
   const TwoPointProbability target = Measure(packer.MakePack(centres.data()), box, Fine);
   CellObjective objective(Contents(), target, serial);
   const CellObjective::Terms terms = objective.Evaluate(centres.data(), nullptr);
-  // Nine functions of K lags, each off by the error of tables twice as coarse as those of 1e-6: 16 times that, third
-  // order and sign changes; of c < 1.
+  // Nine functions of K lags, each off by the error of tables twice as coarse as those of 1e-6: 16
+  // times that, third order and sign changes; of c < 1.
   EXPECT_LT(terms.TwoPoint, 9.0 * std::sqrt(60.0) * 16e-6);
   EXPECT_EQ(terms.Penalty, 0.0);
   const std::vector<double> other = Centres(53, true);
@@ -137,7 +140,8 @@ TEST(CellObjective, PenaltyIsTheSumOfSquaredOverlaps)
     [&](std::size_t i, std::size_t j, const std::array<int, 3>&, double d)
     { expected += 2.5 * std::pow(std::max(pack.Radius[i] + pack.Radius[j] - d, 0.0) / r, 2); });
   EXPECT_GT(expected, 1.0);
-  EXPECT_NEAR(objective.Evaluate(centres.data(), nullptr).Penalty, expected, 1e-10 * expected); // the interpolant is exact
+  EXPECT_NEAR(objective.Evaluate(centres.data(), nullptr).Penalty, expected,
+    1e-10 * expected); // the interpolant is exact
 }
 
 TEST(CellObjective, GradientIsThatOfTheValue)
@@ -169,8 +173,9 @@ TEST(CellObjective, GradientIsThatOfTheValue)
           centres[n] = at - step;
           const double below = objective.Evaluate(centres.data(), nullptr).Total();
           centres[n] = at;
-          // The interpolant is C1: across a knot its second derivative jumps, which makes an error of the order of
-          // step x jump, 1e-6 of the largest force over a radius; and rounding of F2 ~ 1, 1e-15, over the step.
+          // The interpolant is C1: across a knot its second derivative jumps, which makes an error
+          // of the order of step x jump, 1e-6 of the largest force over a radius; and rounding of
+          // F2 ~ 1, 1e-15, over the step.
           EXPECT_NEAR((above - below) / (2.0 * step), gradient[n], 3e-6 * norm + 3e-9)
             << "number " << n << " weight " << weight << " relaxed " << relaxed;
         }

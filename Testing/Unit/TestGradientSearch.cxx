@@ -45,10 +45,12 @@ const Problem& TheProblem()
   return problem;
 }
 
-UnitCell Search(const ruc::GradientSearchSettings& settings, const std::function<bool(const SearchState&)>& carryOn)
+UnitCell Search(const ruc::GradientSearchSettings& settings,
+  const std::function<bool(const SearchState&)>& carryOn)
 {
   ruc::Communicator serial;
-  return ruc::SearchByGradient(TheProblem().Contents, TheProblem().Target, settings, serial, carryOn);
+  return ruc::SearchByGradient(
+    TheProblem().Contents, TheProblem().Target, settings, serial, carryOn);
 }
 
 ruc::GradientSearchSettings Settings(int iterations, std::uint32_t seed = 1, double target = 0.0)
@@ -117,9 +119,11 @@ TEST(GradientSearch, FindsABetterCellWithoutOverlap)
     ExpectConsistent(cell);
     EXPECT_GE(oracle::LeastGap(cell.Pack, cell.Box), 0.0);
     EXPECT_EQ(cell.Overlap.Pairs, 0);
-    // Measured on problems of this kind: a tenth within 150 iterations; a search that does not descend stays at 1.
+    // Measured on problems of this kind: a tenth within 150 iterations; a search that does not
+    // descend stays at 1.
     EXPECT_LT(cell.Objective, 0.5 * cell.StartObjective);
-    EXPECT_LT(cell.StartObjective, cell.Convergence[0].Objective); // an overlapping start is farther away
+    EXPECT_LT(
+      cell.StartObjective, cell.Convergence[0].Objective); // an overlapping start is farther away
     EXPECT_GT(cell.Convergence[0].OverlapPercent, 1.0);
   }
 }
@@ -163,7 +167,8 @@ TEST(GradientSearch, EndsAtTheMaximumOfIterations)
     });
   ExpectConsistent(cell);
   EXPECT_EQ(cell.EndedBy, "Maximum iterations");
-  EXPECT_EQ(cell.Convergence.size(), 2u + 7u + 1u); // start, without overlap, 7 iterations, the cell
+  EXPECT_EQ(
+    cell.Convergence.size(), 2u + 7u + 1u); // start, without overlap, 7 iterations, the cell
   EXPECT_EQ(last, cell.Iterations);
 }
 
@@ -171,7 +176,8 @@ TEST(GradientSearch, StopsWhenItIsTold)
 {
   for (int stopAt : { 0, 1, 2, 5, 30 })
   {
-    const UnitCell cell = Search(Settings(200), [&](const SearchState& state) { return state.Iteration < stopAt; });
+    const UnitCell cell =
+      Search(Settings(200), [&](const SearchState& state) { return state.Iteration < stopAt; });
     SCOPED_TRACE(stopAt);
     ExpectConsistent(cell);
     EXPECT_EQ(cell.EndedBy, "Stopped");
@@ -199,7 +205,8 @@ TEST(GradientSearch, EndsAtTheTargetObjective)
 
 TEST(GradientSearch, AnOverlappingCellDoesNotMeetTheTarget)
 {
-  // Told to stop before the overlap of the start is removed: whatever its F2, that cell is not what was asked for.
+  // Told to stop before the overlap of the start is removed: whatever its F2, that cell is not what
+  // was asked for.
   const UnitCell cell = Search(Settings(10, 1, 1e9), [](const SearchState&) { return false; });
   EXPECT_FALSE(cell.Overlap.IsNone());
   EXPECT_EQ(cell.EndedBy, "Stopped");

@@ -6,7 +6,8 @@
 
 namespace
 {
-// sum of w_i (x_i - i)^2 in any number of dimensions: liblbfgs itself asks for a multiple of 8 or 16
+// sum of w_i (x_i - i)^2 in any number of dimensions: liblbfgs itself asks for a multiple of 8 or
+// 16
 double Bowl(const double* x, double* gradient, int dimensions)
 {
   double value = 0.0;
@@ -26,7 +27,8 @@ TEST(Minimise, FindsTheMinimumInAnyNumberOfDimensions)
   {
     std::vector<double> x(dimensions, 5.5);
     ruc::Minimise(
-      x, {}, [&](const double* p, double* g) { return Bowl(p, g, dimensions); }, [](const double*, double, int) { return true; });
+      x, {}, [&](const double* p, double* g) { return Bowl(p, g, dimensions); },
+      [](const double*, double, int) { return true; });
     ASSERT_EQ(x.size(), std::size_t(dimensions));
     for (int i = 0; i < dimensions; ++i)
     {
@@ -46,7 +48,8 @@ TEST(Minimise, EndsWhenItIsTold)
   std::vector<double> x = { -1.2, 1.0 };
   ruc::MinimiserSettings settings;
   settings.MaximumIterations = 5;
-  EXPECT_EQ(ruc::Minimise(x, settings, rosenbrock, [](const double*, double, int) { return true; }), 5);
+  EXPECT_EQ(
+    ruc::Minimise(x, settings, rosenbrock, [](const double*, double, int) { return true; }), 5);
 
   x = { -1.2, 1.0 };
   double last = 24.2, told[2] = {};

@@ -35,7 +35,9 @@ TEST(OnePointProbability, IsTheShareOfRandomPoints)
   for (int m = 0; m < 3; ++m)
   {
     // binomial, 4.5 standard errors
-    EXPECT_NEAR(double(hits[m]) / samples, fractions[m], 4.5 * std::sqrt(fractions[m] * (1 - fractions[m]) / samples)) << m;
+    EXPECT_NEAR(double(hits[m]) / samples, fractions[m],
+      4.5 * std::sqrt(fractions[m] * (1 - fractions[m]) / samples))
+      << m;
   }
 }
 

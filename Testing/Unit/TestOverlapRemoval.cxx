@@ -40,7 +40,8 @@ void ExpectOverlapOfBruteForce(const ruc::SpherePack& pack, const ruc::Window& b
     });
   const ruc::PackOverlap overlap = ruc::MeasureOverlap(pack, box);
   EXPECT_EQ(overlap.Pairs, pairs);
-  EXPECT_NEAR(overlap.Percent, 100.0 * shared / total, 1e-10 * (1.0 + 100.0 * shared / total)); // rounding, fixed point 2^-50
+  EXPECT_NEAR(overlap.Percent, 100.0 * shared / total,
+    1e-10 * (1.0 + 100.0 * shared / total)); // rounding, fixed point 2^-50
   EXPECT_NEAR(overlap.Deepest, deepest, 1e-13);
   EXPECT_FALSE(overlap.IsNone());
 }
@@ -58,8 +59,8 @@ TEST(OverlapRemoval, TwoSpheresThroughAPeriodicFace)
   EXPECT_EQ(overlap.Pairs, 1);
   EXPECT_NEAR(overlap.Percent, 100.0 * lens / total, 1e-11);
   EXPECT_NEAR(overlap.Deepest, 0.8 / 1.5, 1e-14);
-  const ruc::PackOverlap closed =
-    ruc::MeasureOverlap(pack, ruc::Window::MakeBox({ 0, 0, 0 }, { 10, 10, 10 }, { false, true, true }));
+  const ruc::PackOverlap closed = ruc::MeasureOverlap(
+    pack, ruc::Window::MakeBox({ 0, 0, 0 }, { 10, 10, 10 }, { false, true, true }));
   EXPECT_EQ(closed.Pairs, 0);
   EXPECT_EQ(closed.Percent, 0.0);
   EXPECT_EQ(closed.Deepest, -1.0);
@@ -68,7 +69,8 @@ TEST(OverlapRemoval, TwoSpheresThroughAPeriodicFace)
 
 TEST(OverlapRemoval, MeasureAgreesWithBruteForce)
 {
-  for (const std::array<bool, 3>& periodic : { std::array<bool, 3>{ true, true, true }, { false, false, false }, { false, true, false } })
+  for (const std::array<bool, 3>& periodic :
+    { std::array<bool, 3>{ true, true, true }, { false, false, false }, { false, true, false } })
   {
     const ruc::Window box = ruc::Window::MakeBox({ -1, 2, 0 }, { 5, 6, 4.5 }, periodic);
     ExpectOverlapOfBruteForce(oracle::RandomPack({ 20, 60 }, { 0.9, 0.4 }, box, 12), box);
@@ -83,7 +85,7 @@ TEST(OverlapRemoval, TheBorderOfNoOverlap)
   pack.Radius = { 1.0, 1.0 };
   const ruc::Window box = oracle::PeriodicCube(10.0);
   EXPECT_TRUE(ruc::MeasureOverlap(pack, box).IsNone());
-  pack.X[1] = 3.0 * (1.0 - 4e-13) ; // 0.6e-12 of the contact
+  pack.X[1] = 3.0 * (1.0 - 4e-13); // 0.6e-12 of the contact
   EXPECT_TRUE(ruc::MeasureOverlap(pack, box).IsNone());
   pack.X[1] = 3.0 - 4e-12;
   EXPECT_FALSE(ruc::MeasureOverlap(pack, box).IsNone());
@@ -96,7 +98,8 @@ TEST(OverlapRemoval, LeavesNoOverlap)
     std::vector<int> Counts;
     std::vector<double> Radii;
   };
-  const Case cases[] = { { { 150 }, { 1.0 } }, { { 40, 150 }, { 1.0, 0.55 } }, { { 20, 60, 100 }, { 1.2, 0.8, 0.5 } } };
+  const Case cases[] = { { { 150 }, { 1.0 } }, { { 40, 150 }, { 1.0, 0.55 } },
+    { { 20, 60, 100 }, { 1.2, 0.8, 0.5 } } };
   for (const Case& c : cases)
   {
     for (double fraction : { 0.3, 0.55, 0.62 })
@@ -127,7 +130,12 @@ TEST(OverlapRemoval, KeepsSizesAndAPackWithoutOverlap)
   EXPECT_EQ(pack.Radius, before.Radius);
   EXPECT_EQ(pack.Mode, before.Mode);
   const ruc::SpherePack free = pack;
-  EXPECT_TRUE(ruc::RemoveOverlap(pack, box, 8, []() { ADD_FAILURE() << "nothing to do"; return true; }));
+  EXPECT_TRUE(ruc::RemoveOverlap(pack, box, 8,
+    []()
+    {
+      ADD_FAILURE() << "nothing to do";
+      return true;
+    }));
   EXPECT_EQ(pack.X, free.X);
   EXPECT_EQ(pack.Z, free.Z);
 }
@@ -142,7 +150,8 @@ TEST(OverlapRemoval, WorksAcrossABoxThatIsNotACube)
 
 TEST(OverlapRemoval, ImpossibleIsReported)
 {
-  const ruc::Window box = oracle::PeriodicCube(EdgeFor({ 16 }, { 1.0 }, 0.8)); // above the densest packing, 0.7405
+  const ruc::Window box =
+    oracle::PeriodicCube(EdgeFor({ 16 }, { 1.0 }, 0.8)); // above the densest packing, 0.7405
   ruc::SpherePack pack = oracle::RandomPack({ 16 }, { 1.0 }, box, 3);
   EXPECT_FALSE(ruc::RemoveOverlap(pack, box, 1, Always));
   EXPECT_LT(oracle::LeastGap(pack, box), 0.0);
@@ -156,7 +165,8 @@ TEST(OverlapRemoval, StopsWhenItIsTold)
   int calls = 0;
   EXPECT_FALSE(ruc::RemoveOverlap(pack, box, 1, [&]() { return ++calls < 2; }));
   EXPECT_EQ(calls, 2);
-  EXPECT_LT(ruc::MeasureOverlap(pack, box).Percent, ruc::MeasureOverlap(start, box).Percent); // what was reached stays
+  EXPECT_LT(ruc::MeasureOverlap(pack, box).Percent,
+    ruc::MeasureOverlap(start, box).Percent); // what was reached stays
   EXPECT_LT(oracle::LeastGap(pack, box), 0.0);
 }
 

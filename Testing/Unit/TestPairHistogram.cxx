@@ -46,7 +46,8 @@ TEST(PairHistogram, FixedPointScaleCannotOverflow)
         EXPECT_LE(scale * heaviest * spheres * neighbours, 0x1p62);
         EXPECT_LE(scale * heaviest, 0x1p50);
         // and no factor of 4 is given away
-        EXPECT_TRUE(4.0 * scale * heaviest * spheres * neighbours >= 0x1p62 || 4.0 * scale * heaviest >= 0x1p50);
+        EXPECT_TRUE(4.0 * scale * heaviest * spheres * neighbours >= 0x1p62 ||
+          4.0 * scale * heaviest >= 0x1p50);
       }
     }
   }
@@ -65,7 +66,8 @@ TEST(PairHistogram, CountedPairsGiveTheSumOfTheirOverlaps)
   {
     typeOfPlace.push_back(pack.Mode[i] - 1);
   }
-  const double scale = ruc::PairHistogram::FixedPointScale(pack.Size(), cells.MostNeighbours(), 1.0);
+  const double scale =
+    ruc::PairHistogram::FixedPointScale(pack.Size(), cells.MostNeighbours(), 1.0);
   std::vector<std::int64_t> counts(histogram.Size(), 0);
   ruc::CountPairs(histogram, cells, typeOfPlace, box, scale, 0, cells.Size(), counts.data());
 
@@ -78,7 +80,9 @@ TEST(PairHistogram, CountedPairsGiveTheSumOfTheirOverlaps)
       ++pairs[c];
       for (int k = 0; k <= lags.Count; ++k)
       {
-        expected[c][k] += ruc::OrientationAveragedOverlap(pack.Radius[i], pack.Radius[j], k * lags.Spacing, d).Value;
+        expected[c][k] +=
+          ruc::OrientationAveragedOverlap(pack.Radius[i], pack.Radius[j], k * lags.Spacing, d)
+            .Value;
       }
     });
   for (int c = 0; c < 3; ++c)
@@ -94,7 +98,8 @@ TEST(PairHistogram, CountedPairsGiveTheSumOfTheirOverlaps)
     histogram.Kernel(c).AddOverlap(weights.data(), sums.data());
     for (int k = 0; k <= lags.Count; ++k)
     {
-      EXPECT_NEAR(sums[k], expected[c][k], 1e-6 * pairs[c] * ruc::SphereVolume(0.6)) << c << " " << k;
+      EXPECT_NEAR(sums[k], expected[c][k], 1e-6 * pairs[c] * ruc::SphereVolume(0.6))
+        << c << " " << k;
     }
   }
 }

@@ -13,9 +13,10 @@ struct Case
   ruc::LagGrid Lags;
 };
 // Knots finer than the lags, coarser, and equal; radii that are equal, near and far
-const Case Cases[] = { { 1.0, 1.0, { 0.05, 80 } }, { 1.0, 1.0, { 0.5, 9 } }, { 1.0, 0.7, { 0.05, 80 } },
-  { 0.7, 1.0, { 0.031, 120 } }, { 0.2, 1.5, { 0.3, 12 } }, { 0.2, 1.5, { 0.011, 200 } },
-  { 1.0, 0.8, { 0.1, 50 } }, { 1.0, 1.0, { 7.0, 2 } }, { 1.0, 0.9, { 0.001, 5 } } };
+const Case Cases[] = { { 1.0, 1.0, { 0.05, 80 } }, { 1.0, 1.0, { 0.5, 9 } },
+  { 1.0, 0.7, { 0.05, 80 } }, { 0.7, 1.0, { 0.031, 120 } }, { 0.2, 1.5, { 0.3, 12 } },
+  { 0.2, 1.5, { 0.011, 200 } }, { 1.0, 0.8, { 0.1, 50 } }, { 1.0, 1.0, { 7.0, 2 } },
+  { 1.0, 0.9, { 0.001, 5 } } };
 
 double CutoffOf(const Case& c)
 {
@@ -23,7 +24,8 @@ double CutoffOf(const Case& c)
 }
 
 // The cubic Hermite weights of a distance, written out from their definition
-void AddWeights(const ruc::PairKernel& kernel, double d, double weight, std::vector<double>& weights)
+void AddWeights(
+  const ruc::PairKernel& kernel, double d, double weight, std::vector<double>& weights)
 {
   const double u = (d - kernel.First) / kernel.Spacing;
   const int m = static_cast<int>(u);
@@ -78,9 +80,11 @@ TEST(PairKernel, IsExactOnKnots)
         kernel.AddOverlap(weights.data(), sums.data());
         for (int k = 0; k <= c.Lags.Count; ++k)
         {
-          const ruc::AveragedOverlap g = ruc::OrientationAveragedOverlap(c.A, c.B, k * c.Lags.Spacing, d);
+          const ruc::AveragedOverlap g =
+            ruc::OrientationAveragedOverlap(c.A, c.B, k * c.Lags.Spacing, d);
           // 1e-10: rounding of h, divided by 2 d r
-          EXPECT_NEAR(sums[k], part == 0 ? g.Value : kernel.Spacing * g.Slope, 1e-10 * unit) << "knot " << m << " lag " << k;
+          EXPECT_NEAR(sums[k], part == 0 ? g.Value : kernel.Spacing * g.Slope, 1e-10 * unit)
+            << "knot " << m << " lag " << k;
         }
       }
     }
@@ -103,7 +107,8 @@ TEST(PairKernel, BetweenKnotsTheErrorIsThatOfHermiteInterpolation)
       for (int k = 0; k <= c.Lags.Count; ++k)
       {
         const double r = k * c.Lags.Spacing;
-        const double bound = oracle::HermiteError(c.A, c.B, r, d, kernel.Spacing) + 1e-10 * unit; // and rounding
+        const double bound =
+          oracle::HermiteError(c.A, c.B, r, d, kernel.Spacing) + 1e-10 * unit; // and rounding
         EXPECT_NEAR(sums[k], oracle::AveragedLens(c.A, c.B, r, d), bound)
           << "a " << c.A << " b " << c.B << " d " << d << " r " << r << " knots " << kernel.Spacing;
       }
@@ -117,16 +122,19 @@ TEST(PairKernel, BetweenKnotsTheErrorIsThatOfHermiteInterpolation)
 
 TEST(PairKernel, SumOverManyPairsIsGoodToOneInAMillion)
 {
-  // The errors of single distances change sign from knot to knot; what counts is the sum over the pairs of a pack.
+  // The errors of single distances change sign from knot to knot; what counts is the sum over the
+  // pairs of a pack.
   for (const Case& c : Cases)
   {
     const ruc::PairKernel kernel(c.A, c.B, c.Lags, CutoffOf(c));
     oracle::Uniform random(2);
-    std::vector<double> weights(kernel.Size(), 0.0), sums(c.Lags.Count + 1, 0.0), expected(c.Lags.Count + 1, 0.0);
+    std::vector<double> weights(kernel.Size(), 0.0), sums(c.Lags.Count + 1, 0.0),
+      expected(c.Lags.Count + 1, 0.0);
     constexpr int pairs = 20000;
     for (int n = 0; n < pairs; ++n)
     {
-      const double d = std::cbrt(random(std::pow(c.A + c.B, 3), std::pow(CutoffOf(c), 3))); // uniform in space
+      const double d =
+        std::cbrt(random(std::pow(c.A + c.B, 3), std::pow(CutoffOf(c), 3))); // uniform in space
       AddWeights(kernel, d, 1.0, weights);
       for (int k = 0; k <= c.Lags.Count; ++k)
       {
@@ -165,7 +173,8 @@ TEST(PairKernel, PotentialIsTheTransposeOfTheOverlap)
       magnitude += weights[n] * std::abs(potential[n]);
     }
     EXPECT_GT(magnitude, 0.0);
-    EXPECT_NEAR(Dot(lambda, sums), Dot(weights, potential), 1e-12 * magnitude); // rounding of ~1e3 terms
+    EXPECT_NEAR(
+      Dot(lambda, sums), Dot(weights, potential), 1e-12 * magnitude); // rounding of ~1e3 terms
   }
 }
 

@@ -10,7 +10,8 @@ using ruc::ModeMethod;
 using ruc::ModeSettings;
 using ruc::ParticleModes;
 
-ModeSettings Settings(ModeMethod method, int modes, std::vector<double> edges = {}, double minimum = 0.0)
+ModeSettings Settings(
+  ModeMethod method, int modes, std::vector<double> edges = {}, double minimum = 0.0)
 {
   ModeSettings settings;
   settings.Method = method;
@@ -62,10 +63,12 @@ void ExpectSummaries(const ParticleModes& modes, const std::vector<double>& diam
 TEST(ParticleModes, EqualWidth)
 {
   const std::vector<double> diameters = { 2.9, 1.0, 1.4, 4.0, 2.1, 1.99, 3.1 };
-  const ParticleModes modes(diameters, Settings(ModeMethod::EqualWidth, 3)); // [1, 2), [2, 3), [3, 4]
+  const ParticleModes modes(
+    diameters, Settings(ModeMethod::EqualWidth, 3)); // [1, 2), [2, 3), [3, 4]
   EXPECT_EQ(ModesOf(modes, diameters), (std::vector<int>{ 2, 1, 1, 3, 2, 1, 3 }));
   ExpectSummaries(modes, diameters);
-  EXPECT_EQ(ModesOf(ParticleModes(diameters, Settings(ModeMethod::EqualWidth, 1)), diameters), std::vector<int>(7, 1));
+  EXPECT_EQ(ModesOf(ParticleModes(diameters, Settings(ModeMethod::EqualWidth, 1)), diameters),
+    std::vector<int>(7, 1));
 }
 
 TEST(ParticleModes, EmptyModesAreLeftOut)
@@ -75,8 +78,10 @@ TEST(ParticleModes, EmptyModesAreLeftOut)
   EXPECT_EQ(modes.NumberOfModes(), 3);
   EXPECT_EQ(ModesOf(modes, diameters), (std::vector<int>{ 1, 1, 3, 3, 2 }));
   ExpectSummaries(modes, diameters);
-  EXPECT_EQ(ParticleModes({ 2.0, 2.0, 2.0 }, Settings(ModeMethod::EqualWidth, 9)).NumberOfModes(), 1);
-  EXPECT_EQ(ParticleModes({ 2.0, 2.0, 2.0 }, Settings(ModeMethod::EqualVolume, 9)).NumberOfModes(), 1);
+  EXPECT_EQ(
+    ParticleModes({ 2.0, 2.0, 2.0 }, Settings(ModeMethod::EqualWidth, 9)).NumberOfModes(), 1);
+  EXPECT_EQ(
+    ParticleModes({ 2.0, 2.0, 2.0 }, Settings(ModeMethod::EqualVolume, 9)).NumberOfModes(), 1);
 }
 
 TEST(ParticleModes, EqualVolume)
@@ -97,8 +102,10 @@ TEST(ParticleModes, EqualVolume)
     ASSERT_EQ(modes.NumberOfModes(), number);
     for (int m = 1; m <= number; ++m)
     {
-      EXPECT_NEAR(modes.Summary(m).Volume, total / number, largest) << m; // half a sphere at either border
-      EXPECT_TRUE(m == 1 || modes.Summary(m).MinimumDiameter > modes.Summary(m - 1).MaximumDiameter);
+      EXPECT_NEAR(modes.Summary(m).Volume, total / number, largest)
+        << m; // half a sphere at either border
+      EXPECT_TRUE(
+        m == 1 || modes.Summary(m).MinimumDiameter > modes.Summary(m - 1).MaximumDiameter);
     }
     ExpectSummaries(modes, diameters);
   }
@@ -115,7 +122,8 @@ TEST(ParticleModes, EqualVolumeWithFewSpheres)
 TEST(ParticleModes, ExplicitEdges)
 {
   const std::vector<double> diameters = { 1.0, 2.0, 2.5, 3.0, 7.0, 10.0 };
-  const ParticleModes modes(diameters, Settings(ModeMethod::ExplicitEdges, 9, { 1.0, 2.5, 4.0, 6.0, 10.0 }));
+  const ParticleModes modes(
+    diameters, Settings(ModeMethod::ExplicitEdges, 9, { 1.0, 2.5, 4.0, 6.0, 10.0 }));
   EXPECT_EQ(ModesOf(modes, diameters), (std::vector<int>{ 1, 1, 2, 2, 3, 3 })); // none in [4, 6)
   ExpectSummaries(modes, diameters);
 }
@@ -131,9 +139,11 @@ TEST(ParticleModes, OnePerSize)
   {
     many.push_back(1.0 + 0.01 * i);
   }
-  EXPECT_EQ(ParticleModes(many, Settings(ModeMethod::OnePerSize, 1)).NumberOfModes(), ruc::MostModes);
+  EXPECT_EQ(
+    ParticleModes(many, Settings(ModeMethod::OnePerSize, 1)).NumberOfModes(), ruc::MostModes);
   many.push_back(20.0);
-  EXPECT_SAYS(ParticleModes(many, Settings(ModeMethod::OnePerSize, 1)), "at most 256 distinct diameters");
+  EXPECT_SAYS(
+    ParticleModes(many, Settings(ModeMethod::OnePerSize, 1)), "at most 256 distinct diameters");
 }
 
 TEST(ParticleModes, MinimumDiameterLeavesSmallSpheresOut)
@@ -143,30 +153,39 @@ TEST(ParticleModes, MinimumDiameterLeavesSmallSpheresOut)
   EXPECT_EQ(ModesOf(modes, diameters), (std::vector<int>{ 0, 1, 2, 0, 2 }));
   EXPECT_EQ(modes.Summary(1).Count, 1u);
   ExpectSummaries(modes, diameters);
-  const ParticleModes edges(diameters, Settings(ModeMethod::ExplicitEdges, 1, { 1.0, 2.5, 3.0 }, 1.0));
+  const ParticleModes edges(
+    diameters, Settings(ModeMethod::ExplicitEdges, 1, { 1.0, 2.5, 3.0 }, 1.0));
   EXPECT_EQ(ModesOf(edges, diameters), (std::vector<int>{ 0, 1, 1, 0, 2 }));
 }
 
 TEST(ParticleModes, BadSettings)
 {
   const std::vector<double> some = { 1.0, 2.0 };
-  EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 0)), "NumberOfModes requires 1 <= NumberOfModes <= 256, got 0");
+  EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 0)),
+    "NumberOfModes requires 1 <= NumberOfModes <= 256, got 0");
   EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 257)), "got 257");
   EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, -1)), "got -1");
-  EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::ExplicitEdges, 9, std::vector<double>(300, 1.0))), "got 300");
-  EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 3, {}, 2.5)), "MinimumDiameter requires a value that leaves");
+  EXPECT_SAYS(
+    ParticleModes(some, Settings(ModeMethod::ExplicitEdges, 9, std::vector<double>(300, 1.0))),
+    "got 300");
+  EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 3, {}, 2.5)),
+    "MinimumDiameter requires a value that leaves");
   EXPECT_SAYS(ParticleModes({}, Settings(ModeMethod::EqualWidth, 3)), "at least one sphere");
   for (double bad : { -1.0, std::nan(""), HUGE_VAL })
   {
-    EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 3, {}, bad)), "MinimumDiameter requires a finite number >= 0");
+    EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::EqualWidth, 3, {}, bad)),
+      "MinimumDiameter requires a finite number >= 0");
   }
-  const std::vector<std::vector<double>> badEdges = { {}, { 1.0 }, { 2.0, 1.0 }, { 1.0, 1.0, 2.0 }, { -1.0, 3.0 },
-    { 1.0, HUGE_VAL }, { std::nan(""), 3.0 },
-    { 1.0, std::nan(""), 3.0 }, { 1.0, std::nan("") } };
+  const std::vector<std::vector<double>> badEdges = { {}, { 1.0 }, { 2.0, 1.0 }, { 1.0, 1.0, 2.0 },
+    { -1.0, 3.0 }, { 1.0, HUGE_VAL }, { std::nan(""), 3.0 }, { 1.0, std::nan(""), 3.0 },
+    { 1.0, std::nan("") } };
   for (const std::vector<double>& edges : badEdges)
   {
-    EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::ExplicitEdges, 9, edges)), "Edges requires two or more ascending");
+    EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::ExplicitEdges, 9, edges)),
+      "Edges requires two or more ascending");
   }
-  EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::ExplicitEdges, 9, { 1.5, 3.0 })), "got diameters from 1 to 2");
-  EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::ExplicitEdges, 9, { 0.5, 1.5 })), "got diameters from 1 to 2");
+  EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::ExplicitEdges, 9, { 1.5, 3.0 })),
+    "got diameters from 1 to 2");
+  EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::ExplicitEdges, 9, { 0.5, 1.5 })),
+    "got diameters from 1 to 2");
 }

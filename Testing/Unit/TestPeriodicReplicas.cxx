@@ -31,11 +31,12 @@ TEST(PeriodicReplicas, CountsOnFaceEdgeAndCorner)
   EXPECT_EQ(Spheres({ 5, 5, 5 }, 2.0), 1u);
   EXPECT_EQ(Spheres({ 1, 5, 5 }, 2.0), 2u); // a face
   EXPECT_EQ(Spheres({ 5, 9, 5 }, 2.0), 2u);
-  EXPECT_EQ(Spheres({ 1, 5, 9 }, 2.0), 4u); // holds a point of an edge: 1 + 1 < 4
+  EXPECT_EQ(Spheres({ 1, 5, 9 }, 2.0), 4u);     // holds a point of an edge: 1 + 1 < 4
   EXPECT_EQ(Spheres({ 1.5, 1.5, 5 }, 2.0), 3u); // two faces, but 2.25 + 2.25 > 4
-  EXPECT_EQ(Spheres({ 1, 1, 1 }, 2.0), 8u); // a corner: 3 < 4
+  EXPECT_EQ(Spheres({ 1, 1, 1 }, 2.0), 8u);     // a corner: 3 < 4
   EXPECT_EQ(Spheres({ 1, 9, 1 }, 2.0), 8u);
-  EXPECT_EQ(Spheres({ 1.2, 1.2, 8.8 }, 2.0), 7u); // three edges, 2.88 < 4, but not the corner, 4.32 > 4
+  EXPECT_EQ(
+    Spheres({ 1.2, 1.2, 8.8 }, 2.0), 7u);   // three edges, 2.88 < 4, but not the corner, 4.32 > 4
   EXPECT_EQ(Spheres({ 0, 0, 0 }, 2.0), 8u); // a centre on the corner itself
   EXPECT_EQ(Spheres({ 0, 5, 5 }, 2.0), 2u);
 }
@@ -44,15 +45,18 @@ TEST(PeriodicReplicas, TouchingMakesNoCopy)
 {
   EXPECT_EQ(Spheres({ 2, 5, 5 }, 2.0), 1u);
   EXPECT_EQ(Spheres({ 5, 5, 8 }, 2.0), 1u);
-  EXPECT_EQ(Spheres({ 3, 4, 5 }, 5.0 - 1e-9), 1u + 2u); // crosses x and y, but 3-4-5: its surface just misses the edge
-  EXPECT_EQ(Spheres({ 3, 4, 6 }, 4.5), 1u + 2u + 1u); // crosses the faces x, y and z = 10, no edge: sqrt(9 + 16) = 5
+  EXPECT_EQ(Spheres({ 3, 4, 5 }, 5.0 - 1e-9),
+    1u + 2u); // crosses x and y, but 3-4-5: its surface just misses the edge
+  EXPECT_EQ(Spheres({ 3, 4, 6 }, 4.5),
+    1u + 2u + 1u); // crosses the faces x, y and z = 10, no edge: sqrt(9 + 16) = 5
 }
 
 TEST(PeriodicReplicas, CopiesAreTheImagesThatReachIntoTheBox)
 {
-  // Brute force by sampling: an image reaches in exactly when some point of the box is inside it. The nearest point of the
-  // box is found by clamping, for all images up to two edges away.
-  const ruc::Window box = ruc::Window::MakeBox({ -1, 2, 3 }, { 4.0, 5.0, 6.0 }, { true, false, true });
+  // Brute force by sampling: an image reaches in exactly when some point of the box is inside it.
+  // The nearest point of the box is found by clamping, for all images up to two edges away.
+  const ruc::Window box =
+    ruc::Window::MakeBox({ -1, 2, 3 }, { 4.0, 5.0, 6.0 }, { true, false, true });
   const ruc::SpherePack pack = oracle::RandomPack({ 300 }, { 1.3 }, box, 8);
   std::set<std::pair<std::size_t, std::array<int, 3>>> expected, found;
   for (std::size_t i = 0; i < pack.Size(); ++i)
@@ -85,7 +89,8 @@ TEST(PeriodicReplicas, CopiesAreTheImagesThatReachIntoTheBox)
 
 TEST(PeriodicReplicas, TilesFillTheTiling)
 {
-  const ruc::Window box = ruc::Window::MakeBox({ -1, 0, 2 }, { 4.0, 5.0, 6.0 }, { true, true, true });
+  const ruc::Window box =
+    ruc::Window::MakeBox({ -1, 0, 2 }, { 4.0, 5.0, 6.0 }, { true, true, true });
   const ruc::SpherePack pack = oracle::RandomPack({ 7 }, { 0.3 }, box, 9);
   const std::vector<ruc::Replica> replicas = ruc::Tiling(pack, { 2, 1, 3 });
   ASSERT_EQ(replicas.size(), 7u * 6u);
@@ -100,5 +105,7 @@ TEST(PeriodicReplicas, TilesFillTheTiling)
     EXPECT_DOUBLE_EQ(centre[2], pack.Z[n % 7] + 6.0 * replicas[n].Image[2]);
     EXPECT_TRUE(n >= 7 || replicas[n].Image == (std::array<int, 3>{ 0, 0, 0 }));
   }
-  EXPECT_EQ(tiles, (std::set<std::array<int, 3>>{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 0, 0, 2 }, { 1, 0, 2 } }));
+  EXPECT_EQ(tiles,
+    (std::set<std::array<int, 3>>{
+      { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 0, 0, 2 }, { 1, 0, 2 } }));
 }

@@ -44,7 +44,8 @@ const double Infinity = std::numeric_limits<double>::infinity();
 TEST(SpherePack, AGoodPackPasses)
 {
   EXPECT_NO_THROW(ruc::ValidatePack(ThreeSpheres(), true));
-  EXPECT_NO_THROW(ruc::ValidateWindow(ThreeSpheres(), Window::MakeBox({ 0, 0, 0 }, { 4, 4, 4 }, { true, true, true })));
+  EXPECT_NO_THROW(ruc::ValidateWindow(
+    ThreeSpheres(), Window::MakeBox({ 0, 0, 0 }, { 4, 4, 4 }, { true, true, true })));
   EXPECT_EQ(ThreeSpheres().NumberOfModes(), 2);
   EXPECT_EQ(ThreeSpheres().LargestRadius(), 0.3);
   EXPECT_EQ(SpherePack().LargestRadius(), 0.0);
@@ -56,22 +57,40 @@ TEST(SpherePack, ValidationNamesTheSphere)
   EXPECT_SAYS(ruc::ValidatePack(SpherePack(), false), "at least one sphere");
   for (double bad : { NaN, Infinity, -Infinity })
   {
-    ExpectPart(PackMessage([&](SpherePack& p) { p.X[1] = bad; }), "Points require finite coordinates");
-    ExpectPart(PackMessage([&](SpherePack& p) { p.Y[2] = bad; }), "Points require finite coordinates");
-    ExpectPart(PackMessage([&](SpherePack& p) { p.Z[0] = bad; }), "Points require finite coordinates");
-    ExpectPart(PackMessage([&](SpherePack& p) { p.Radius[1] = bad; }), "'Radius' requires finite values > 0");
+    ExpectPart(
+      PackMessage([&](SpherePack& p) { p.X[1] = bad; }), "Points require finite coordinates");
+    ExpectPart(
+      PackMessage([&](SpherePack& p) { p.Y[2] = bad; }), "Points require finite coordinates");
+    ExpectPart(
+      PackMessage([&](SpherePack& p) { p.Z[0] = bad; }), "Points require finite coordinates");
+    ExpectPart(PackMessage([&](SpherePack& p) { p.Radius[1] = bad; }),
+      "'Radius' requires finite values > 0");
   }
-  ExpectPart(PackMessage([](SpherePack& p) { p.Radius[1] = 0.0; }), "got 0 for the sphere at (2, 1, 1)");
-  ExpectPart(PackMessage([](SpherePack& p) { p.Radius[2] = -1.5; }), "got -1.5 for the sphere at (3, 1, 1)");
+  ExpectPart(
+    PackMessage([](SpherePack& p) { p.Radius[1] = 0.0; }), "got 0 for the sphere at (2, 1, 1)");
+  ExpectPart(
+    PackMessage([](SpherePack& p) { p.Radius[2] = -1.5; }), "got -1.5 for the sphere at (3, 1, 1)");
   ExpectPart(PackMessage([](SpherePack& p) { p.X[1] = 1.0; }), "two spheres at (1, 1, 1)");
 }
 
 TEST(SpherePack, ModesHaveNoGap)
 {
-  ExpectPart(PackMessage([](SpherePack& p) { p.Mode = { 3, 1, 3 }; }), "no sphere of mode 2 but some of mode 3");
+  ExpectPart(PackMessage(
+               [](SpherePack& p) {
+                 p.Mode = { 3, 1, 3 };
+               }),
+    "no sphere of mode 2 but some of mode 3");
   ExpectPart(PackMessage([](SpherePack& p) { p.Mode = { 2, 2, 2 }; }), "no sphere of mode 1");
-  ExpectPart(PackMessage([](SpherePack& p) { p.Mode = { 0, 1, 2 }; }), "got 0 for the sphere at (1, 1, 1)");
-  ExpectPart(PackMessage([](SpherePack& p) { p.Mode = { 1, -1, 2 }; }), "got -1 for the sphere at (2, 1, 1)");
+  ExpectPart(PackMessage(
+               [](SpherePack& p) {
+                 p.Mode = { 0, 1, 2 };
+               }),
+    "got 0 for the sphere at (1, 1, 1)");
+  ExpectPart(PackMessage(
+               [](SpherePack& p) {
+                 p.Mode = { 1, -1, 2 };
+               }),
+    "got -1 for the sphere at (2, 1, 1)");
   ExpectPart(PackMessage([](SpherePack& p) { p.Mode = { 1, 2, 2000000000 }; }), "got 2000000000");
   EXPECT_EQ(PackMessage([](SpherePack& p) { p.Mode = { 3, 1, 3 }; }, false), "<no exception>");
 }
@@ -82,17 +101,23 @@ TEST(SpherePack, WindowNeedsEveryCentre)
   const SpherePack pack = ThreeSpheres();
   EXPECT_SAYS(ruc::ValidateWindow(pack, Window::MakeBox({ 0, 0, 0 }, { 1.5, 4, 4 }, none)),
     "got 2 of 3 outside, such as the sphere at (2, 1, 1)");
-  EXPECT_SAYS(ruc::ValidateWindow(pack, Window::MakeCylinder({ 1, 1, 0 }, { 0, 0, 1 }, 1.5, 3)), "got 1 of 3 outside");
-  EXPECT_NO_THROW(ruc::ValidateWindow(pack, Window::MakeCylinder({ 1, 1, 0 }, { 0, 0, 1 }, 2.0, 3)));
+  EXPECT_SAYS(ruc::ValidateWindow(pack, Window::MakeCylinder({ 1, 1, 0 }, { 0, 0, 1 }, 1.5, 3)),
+    "got 1 of 3 outside");
+  EXPECT_NO_THROW(
+    ruc::ValidateWindow(pack, Window::MakeCylinder({ 1, 1, 0 }, { 0, 0, 1 }, 2.0, 3)));
 }
 
 TEST(SpherePack, PeriodicEdgesExceedTheLargestDiameter)
 {
   const SpherePack pack = ThreeSpheres();
-  EXPECT_SAYS(ruc::ValidateWindow(pack, Window::MakeBox({ 0, 0.7, 0 }, { 4, 0.6, 4 }, { true, true, true })), "BoxSize requires periodic edges");
-  EXPECT_NO_THROW(ruc::ValidateWindow(pack, Window::MakeBox({ 0, 0.7, 0 }, { 4, 0.61, 4 }, { true, true, true })));
+  EXPECT_SAYS(
+    ruc::ValidateWindow(pack, Window::MakeBox({ 0, 0.7, 0 }, { 4, 0.6, 4 }, { true, true, true })),
+    "BoxSize requires periodic edges");
+  EXPECT_NO_THROW(ruc::ValidateWindow(
+    pack, Window::MakeBox({ 0, 0.7, 0 }, { 4, 0.61, 4 }, { true, true, true })));
   // an edge that is not periodic may be shorter
-  EXPECT_NO_THROW(ruc::ValidateWindow(pack, Window::MakeBox({ 0, 0.7, 0 }, { 4, 0.6, 4 }, { true, false, true })));
+  EXPECT_NO_THROW(ruc::ValidateWindow(
+    pack, Window::MakeBox({ 0, 0.7, 0 }, { 4, 0.6, 4 }, { true, false, true })));
 }
 
 TEST(SpherePack, ACentreAndItsImageAreOneSphere)
@@ -101,7 +126,8 @@ TEST(SpherePack, ACentreAndItsImageAreOneSphere)
   pack.X = { 0, 2, 4 };
   const Window periodic = Window::MakeBox({ 0, 0, 0 }, { 4, 4, 4 }, { true, true, true });
   EXPECT_SAYS(ruc::ValidateWindow(pack, periodic), "periodic image");
-  EXPECT_NO_THROW(ruc::ValidateWindow(pack, Window::MakeBox({ 0, 0, 0 }, { 4, 4, 4 }, { false, true, true })));
+  EXPECT_NO_THROW(
+    ruc::ValidateWindow(pack, Window::MakeBox({ 0, 0, 0 }, { 4, 4, 4 }, { false, true, true })));
 }
 
 TEST(SpherePack, CanonicalOrderIsTheOrderOfTheKeys)
@@ -132,7 +158,10 @@ TEST(SpherePack, CanonicalOrderIsTheOrderOfTheKeys)
     if (i > 0)
     {
       const auto key = [&](std::size_t n)
-      { return std::make_tuple(sorted.X[n], sorted.Y[n], sorted.Z[n], sorted.Radius[n], sorted.Mode[n]); };
+      {
+        return std::make_tuple(
+          sorted.X[n], sorted.Y[n], sorted.Z[n], sorted.Radius[n], sorted.Mode[n]);
+      };
       EXPECT_LE(key(i - 1), key(i));
     }
   }
@@ -147,7 +176,8 @@ TEST(SpherePack, CanonicalOrderIsTheOrderOfTheKeys)
 TEST(SpherePack, WrappingMovesByWholeEdgesIntoTheBox)
 {
   oracle::Uniform random(2);
-  const Window box = Window::MakeBox({ -1.5, 0.25, 100.0 }, { 3.0, 0.7, 11.0 }, { true, false, true });
+  const Window box =
+    Window::MakeBox({ -1.5, 0.25, 100.0 }, { 3.0, 0.7, 11.0 }, { true, false, true });
   SpherePack pack;
   for (int i = 0; i < 2000; ++i)
   {
@@ -177,7 +207,8 @@ TEST(SpherePack, WrappingAtTheBordersStaysHalfOpen)
     const Window box = oracle::PeriodicCube(edge);
     for (int n = -20; n <= 20; ++n)
     {
-      for (double c : { n * edge, std::nextafter(n * edge, -1e9), std::nextafter(n * edge, 1e9), n * edge - 1e-300 })
+      for (double c : { n * edge, std::nextafter(n * edge, -1e9), std::nextafter(n * edge, 1e9),
+             n * edge - 1e-300 })
       {
         SpherePack pack;
         pack.X = pack.Y = pack.Z = { c };
@@ -196,11 +227,13 @@ TEST(SpherePack, CropKeepsWhatTheWindowContains)
   SpherePack pack = oracle::RandomPack({ 100, 200 }, { 0.1, 0.2 }, room, 5);
   pack.Id.resize(300);
   std::iota(pack.Id.begin(), pack.Id.end(), 0);
-  const SpherePack cropped = ruc::CropToWindow(pack, Window::MakeBox({ 1, 0.5, 0 }, { 2, 3, 1.5 }, { false, false, false }));
+  const SpherePack cropped =
+    ruc::CropToWindow(pack, Window::MakeBox({ 1, 0.5, 0 }, { 2, 3, 1.5 }, { false, false, false }));
   std::size_t n = 0;
   for (std::size_t i = 0; i < 300; ++i)
   {
-    if (pack.X[i] >= 1 && pack.X[i] <= 3 && pack.Y[i] >= 0.5 && pack.Y[i] <= 3.5 && pack.Z[i] <= 1.5)
+    if (pack.X[i] >= 1 && pack.X[i] <= 3 && pack.Y[i] >= 0.5 && pack.Y[i] <= 3.5 &&
+      pack.Z[i] <= 1.5)
     {
       ASSERT_LT(n, cropped.Size());
       EXPECT_EQ(cropped.Id[n], pack.Id[i]);

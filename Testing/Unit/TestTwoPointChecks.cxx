@@ -22,7 +22,8 @@ TEST(TwoPointChecks, GradientIsExactForQuadratics)
 {
   for (int count : { 2, 3, 17 })
   {
-    const std::vector<double> gradient = ruc::Gradient(Sample(count, 0.3, [](double r) { return 2.0 - 1.5 * r + 0.7 * r * r; }), 0.3);
+    const std::vector<double> gradient =
+      ruc::Gradient(Sample(count, 0.3, [](double r) { return 2.0 - 1.5 * r + 0.7 * r * r; }), 0.3);
     ASSERT_EQ(gradient.size(), std::size_t(count) + 1);
     for (int k = 0; k <= count; ++k)
     {
@@ -43,7 +44,8 @@ TEST(TwoPointChecks, GradientConvergesWithTheSquareOfTheSpacing)
   {
     const int count = 40 << n;
     const double spacing = 2.0 / count;
-    const std::vector<double> gradient = ruc::Gradient(Sample(count, spacing, [](double r) { return std::sin(r); }), spacing);
+    const std::vector<double> gradient =
+      ruc::Gradient(Sample(count, spacing, [](double r) { return std::sin(r); }), spacing);
     for (int k = 0; k <= count; ++k)
     {
       error[n] = std::max(error[n], std::abs(gradient[k] - std::cos(k * spacing)));
@@ -54,16 +56,19 @@ TEST(TwoPointChecks, GradientConvergesWithTheSquareOfTheSpacing)
 
 TEST(TwoPointChecks, SaturationLengthOfAnExponential)
 {
-  // |f - c| = e^-r and |f'| = e^-r: both are below the tolerance from -ln(tolerance) on, or -ln(tolerance / length).
+  // |f - c| = e^-r and |f'| = e^-r: both are below the tolerance from -ln(tolerance) on, or
+  // -ln(tolerance / length).
   const double spacing = 0.01;
-  const std::vector<double> values = Sample(1500, spacing, [](double r) { return 0.2 + std::exp(-r); });
+  const std::vector<double> values =
+    Sample(1500, spacing, [](double r) { return 0.2 + std::exp(-r); });
   for (double tolerance : { 1e-1, 1e-2, 1e-3 })
   {
     for (double length : { 0.5, 1.0, 3.0 })
     {
       const double exact = -std::log(tolerance / std::max(length, 1.0));
       // the next lag above; the discrete slope is off by spacing^2 / 6, relatively
-      EXPECT_NEAR(ruc::SaturationLength(values, spacing, 0.2, tolerance, length), exact + 0.5 * spacing, 0.5 * spacing + 1e-4);
+      EXPECT_NEAR(ruc::SaturationLength(values, spacing, 0.2, tolerance, length),
+        exact + 0.5 * spacing, 0.5 * spacing + 1e-4);
     }
   }
 }
@@ -74,7 +79,8 @@ TEST(TwoPointChecks, SaturationLengthWaitsForTheLastExcursion)
   values[0] = 0.5;
   values[60] = 0.26; // its slopes reach the lags 59 and 61
   EXPECT_DOUBLE_EQ(ruc::SaturationLength(values, 0.5, 0.25, 1e-3, 1.0), 31.0);
-  EXPECT_DOUBLE_EQ(ruc::SaturationLength(values, 0.5, 0.25, 0.011, 1.0), 1.0); // only the start counts, up to the slope at lag 1
+  EXPECT_DOUBLE_EQ(ruc::SaturationLength(values, 0.5, 0.25, 0.011, 1.0),
+    1.0); // only the start counts, up to the slope at lag 1
   values[100] = 0.3;
   EXPECT_TRUE(std::isnan(ruc::SaturationLength(values, 0.5, 0.25, 1e-3, 1.0)));
   EXPECT_DOUBLE_EQ(ruc::SaturationLength(std::vector<double>(11, 0.25), 0.5, 0.25, 0.0, 1.0), 0.0);
@@ -87,7 +93,8 @@ TEST(TwoPointChecks, ChecksOfAConstructedMedium)
   probability.S(0, 0) = Sample(100, 0.1, [](double r) { return 0.09 + 0.21 * std::exp(-r); });
   probability.CompleteMatrix();
   probability.S(0, 0)[0] += 0.02; // an error that the check must find
-  const std::vector<ruc::TwoPointCheck> checks = ruc::CheckTwoPointProbability(probability, 0.001, 1.0);
+  const std::vector<ruc::TwoPointCheck> checks =
+    ruc::CheckTwoPointProbability(probability, 0.001, 1.0);
   ASSERT_EQ(checks.size(), 3u);
   const double limits[] = { 0.09, 0.21, 0.49 }, zero[] = { 0.02, 0.0, 0.0 };
   double longest = 0.0;

@@ -24,16 +24,18 @@ TwoPointProbability Measure(const SpherePack& pack, const Window& window, const 
 }
 
 /**
- * S_rs of the modes by the definition: a sum over all pairs and images. With `quadrature` the mean over directions is
- * taken numerically, so that nothing of the core is used; else by the closed form, which has tests of its own. `Bound` is
- * that of the tables' error, with knots an eighth of the smaller radius apart: the sum of the pairs' bounds.
+ * S_rs of the modes by the definition: a sum over all pairs and images. With `quadrature` the mean
+ * over directions is taken numerically, so that nothing of the core is used; else by the closed
+ * form, which has tests of its own. `Bound` is that of the tables' error, with knots an eighth of
+ * the smaller radius apart: the sum of the pairs' bounds.
  */
 struct Expected
 {
   std::vector<double> Values, Bound;
 };
 
-Expected BruteForce(const SpherePack& pack, const Window& box, const LagGrid& lags, int r, int s, bool quadrature)
+Expected BruteForce(
+  const SpherePack& pack, const Window& box, const LagGrid& lags, int r, int s, bool quadrature)
 {
   Expected expected;
   std::vector<double>& values = expected.Values;
@@ -46,12 +48,14 @@ Expected BruteForce(const SpherePack& pack, const Window& box, const LagGrid& la
       const double lag = k * lags.Spacing;
       if (d > 0.0)
       {
-        expected.Bound[k] += factor / box.Volume() * oracle::HermiteError(a, b, lag, d, 0.125 * std::min(a, b));
+        expected.Bound[k] +=
+          factor / box.Volume() * oracle::HermiteError(a, b, lag, d, 0.125 * std::min(a, b));
       }
       if (std::abs(d - lag) < a + b)
       {
         values[k] += factor / box.Volume() *
-          (quadrature ? oracle::AveragedLens(a, b, lag, d) : ruc::OrientationAveragedOverlap(a, b, lag, d).Value);
+          (quadrature ? oracle::AveragedLens(a, b, lag, d)
+                      : ruc::OrientationAveragedOverlap(a, b, lag, d).Value);
       }
     }
   };
@@ -65,7 +69,8 @@ Expected BruteForce(const SpherePack& pack, const Window& box, const LagGrid& la
   oracle::ForEachPair(pack, box, lags.Maximum() + 2.0 * pack.LargestRadius(),
     [&](std::size_t i, std::size_t j, const std::array<int, 3>&, double d)
     {
-      const double orders = (pack.Mode[i] == r + 1 && pack.Mode[j] == s + 1) + (pack.Mode[j] == r + 1 && pack.Mode[i] == s + 1);
+      const double orders = (pack.Mode[i] == r + 1 && pack.Mode[j] == s + 1) +
+        (pack.Mode[j] == r + 1 && pack.Mode[i] == s + 1);
       if (orders > 0)
       {
         add(pack.Radius[i], pack.Radius[j], d, orders);
@@ -74,7 +79,8 @@ Expected BruteForce(const SpherePack& pack, const Window& box, const LagGrid& la
   return expected;
 }
 
-void ExpectNear(const std::vector<double>& values, const std::vector<double>& expected, double bound)
+void ExpectNear(
+  const std::vector<double>& values, const std::vector<double>& expected, double bound)
 {
   ASSERT_EQ(values.size(), expected.size());
   for (std::size_t k = 0; k < values.size(); ++k)
@@ -90,7 +96,9 @@ void ExpectNear(const std::vector<double>& values, const Expected& expected)
   {
     EXPECT_NEAR(values[k], expected.Values[k], expected.Bound[k]) << "lag " << k;
     // a bound that says something: a few thousandths of the largest value at the most
-    EXPECT_LT(expected.Bound[k], 3e-3 * *std::max_element(expected.Values.begin(), expected.Values.end())) << "lag " << k;
+    EXPECT_LT(
+      expected.Bound[k], 3e-3 * *std::max_element(expected.Values.begin(), expected.Values.end()))
+      << "lag " << k;
   }
 }
 
@@ -119,8 +127,8 @@ SpherePack WithDistinctRadii(SpherePack pack)
   return pack;
 }
 
-// The documented error of the tables, 1e-6 of each S_rs, is taken as 1e-6 of the largest value it has, c_r for r = s; the
-// functions of two modes are no larger than the lesser c_r.
+// The documented error of the tables, 1e-6 of each S_rs, is taken as 1e-6 of the largest value it
+// has, c_r for r = s; the functions of two modes are no larger than the lesser c_r.
 constexpr double TableError = 1e-6;
 }
 
@@ -172,7 +180,8 @@ TEST(TwoPointProbability, MatrixCompletesTheSums)
 
 TEST(TwoPointProbability, DifferenceIsTheSumOfNormsOverOrderedPairs)
 {
-  EXPECT_DOUBLE_EQ(ruc::DiscreteNorm({ 100.0, 3.0, 4.0 }), 5.0); // lag 0 does not count, no division by K
+  EXPECT_DOUBLE_EQ(
+    ruc::DiscreteNorm({ 100.0, 3.0, 4.0 }), 5.0); // lag 0 does not count, no division by K
   oracle::Uniform random(2);
   TwoPointProbability a(2, { 0.5, 6 }), b = a;
   for (int p = 0; p < a.Pairs(); ++p)
@@ -202,7 +211,8 @@ TEST(TwoPointProbability, DifferenceIsTheSumOfNormsOverOrderedPairs)
 
 TEST(ExactPairSum, OneSphereAloneIsItsOwnOverlap)
 {
-  // As long as no image is within reach, S_11(r) = c (1 - 3 r / 4a + r^3 / 16 a^3), and 0 from 2a on.
+  // As long as no image is within reach, S_11(r) = c (1 - 3 r / 4a + r^3 / 16 a^3), and 0 from 2a
+  // on.
   const Window box = oracle::PeriodicCube(10.0);
   SpherePack pack;
   pack.X = pack.Y = pack.Z = { 0.5 };
@@ -214,7 +224,9 @@ TEST(ExactPairSum, OneSphereAloneIsItsOwnOverlap)
   for (int k = 0; k <= 79; ++k)
   {
     const double r = 0.1 * k;
-    EXPECT_NEAR(probability.S(0, 0)[k], r < 2.0 ? c * (1.0 - 0.75 * r + r * r * r / 16.0) : 0.0, 1e-16) << k;
+    EXPECT_NEAR(
+      probability.S(0, 0)[k], r < 2.0 ? c * (1.0 - 0.75 * r + r * r * r / 16.0) : 0.0, 1e-16)
+      << k;
   }
 }
 
@@ -255,12 +267,14 @@ TEST(ExactPairSum, CubicLattices)
 {
   const std::vector<ruc::Vector3> simple = { { 0, 0, 0 } };
   const std::vector<ruc::Vector3> centred = { { 0, 0, 0 }, { 0.5, 0.5, 0.5 } };
-  const std::vector<ruc::Vector3> faceCentred = { { 0, 0, 0 }, { 0.5, 0.5, 0 }, { 0.5, 0, 0.5 }, { 0, 0.5, 0.5 } };
+  const std::vector<ruc::Vector3> faceCentred = { { 0, 0, 0 }, { 0.5, 0.5, 0 }, { 0.5, 0, 0.5 },
+    { 0, 0.5, 0.5 } };
   const struct
   {
     const std::vector<ruc::Vector3>& Sites;
     double Radius, Fraction; // of touching spheres in the unit cube
-  } lattices[] = { { simple, 0.5, oracle::Pi / 6.0 }, { centred, std::sqrt(3.0) / 4.0, oracle::Pi * std::sqrt(3.0) / 8.0 },
+  } lattices[] = { { simple, 0.5, oracle::Pi / 6.0 },
+    { centred, std::sqrt(3.0) / 4.0, oracle::Pi * std::sqrt(3.0) / 8.0 },
     { faceCentred, std::sqrt(2.0) / 4.0, oracle::Pi * std::sqrt(2.0) / 6.0 } };
   for (const auto& lattice : lattices)
   {
@@ -291,7 +305,8 @@ TEST(ExactPairSum, ALatticeOfTwoCellsIsTheSameMedium)
   ruc::SortCanonically(four);
   const LagGrid lags = { 0.11, 30 };
   const TwoPointProbability a = Measure(one, oracle::PeriodicCube(2.0), lags);
-  const TwoPointProbability b = Measure(four, Window::MakeBox({ 0, 0, 0 }, { 4, 4, 2 }, { true, true, true }), lags);
+  const TwoPointProbability b =
+    Measure(four, Window::MakeBox({ 0, 0, 0 }, { 4, 4, 2 }, { true, true, true }), lags);
   ExpectNear(a.S(0, 0), b.S(0, 0), 1e-12); // fixed point and rounding; the tables are the same
   ExpectNear(a.S(1, 1), b.S(1, 1), 1e-12);
 }
@@ -335,7 +350,8 @@ TEST(ExactPairSum, SumsAndLimits)
     }
     for (int s = 0; s < 4; ++s)
     {
-      EXPECT_NEAR(probability.S(r, s)[0], r == s ? probability.Fractions[r] : 0.0, 1e-12) << r << " " << s;
+      EXPECT_NEAR(probability.S(r, s)[0], r == s ? probability.Fractions[r] : 0.0, 1e-12)
+        << r << " " << s;
     }
   }
   EXPECT_NEAR(fractions, 1.0, 1e-14);
@@ -349,7 +365,8 @@ TEST(ExactPairSum, SumsAndLimits)
 
 TEST(ExactPairSum, FarAwayIsTheProductOfTheFractions)
 {
-  // Four edges away a shell of lags meets ~200 images; the mean over the last edge of lags is closer still.
+  // Four edges away a shell of lags meets ~200 images; the mean over the last edge of lags is
+  // closer still.
   const Window box = oracle::PeriodicCube(6.0);
   const SpherePack pack = oracle::RelaxedPack({ 10, 25 }, { 1.0, 0.65 }, box, 4);
   const TwoPointProbability probability = Measure(pack, box, { 0.1, 240 });
@@ -362,8 +379,9 @@ TEST(ExactPairSum, FarAwayIsTheProductOfTheFractions)
       {
         mean += probability.S(r, s)[k] / 60.0;
       }
-      // The lattice sum over reciprocal vectors G: a mode of S decays as 1 / (G r), averaged over an edge as 1 / (G r)^2 more;
-      // with G r >= 2 pi 3.5 and at most c_r (1 - c_r) in all modes that is a few per mille of it.
+      // The lattice sum over reciprocal vectors G: a mode of S decays as 1 / (G r), averaged over
+      // an edge as 1 / (G r)^2 more; with G r >= 2 pi 3.5 and at most c_r (1 - c_r) in all modes
+      // that is a few per mille of it.
       const double c = probability.Fractions[r] * probability.Fractions[s];
       const double variance = std::sqrt(probability.Fractions[r] * probability.Fractions[s]);
       EXPECT_NEAR(mean, c, 4e-3 * variance) << r << " " << s;
@@ -385,7 +403,8 @@ TEST(ExactPairSum, SlopeAtZeroIsAQuarterOfTheSurface)
   const TwoPointProbability probability = Measure(pack, box, { spacing, 3 });
   const double slope = (probability.S(2, 2)[1] - probability.S(2, 2)[0]) / spacing;
   // S = c (1 - 3 r / 4 a + r^3 / 16 a^3): the quotient is off by r^2 / 12 a^2 of the slope
-  EXPECT_NEAR(-slope, surface / 4.0, surface / 4.0 * spacing * spacing / (12.0 * 0.58 * 0.58) + 1e-12);
+  EXPECT_NEAR(
+    -slope, surface / 4.0, surface / 4.0 * spacing * spacing / (12.0 * 0.58 * 0.58) + 1e-12);
 }
 
 TEST(ExactPairSum, AgreesWithRandomPointsAndDirections)
@@ -398,7 +417,8 @@ TEST(ExactPairSum, AgreesWithRandomPointsAndDirections)
   {
     for (std::size_t i = 0; i < pack.Size(); ++i)
     {
-      const double dx = std::remainder(p[0] - pack.X[i], 6.0), dy = std::remainder(p[1] - pack.Y[i], 6.0),
+      const double dx = std::remainder(p[0] - pack.X[i], 6.0),
+                   dy = std::remainder(p[1] - pack.Y[i], 6.0),
                    dz = std::remainder(p[2] - pack.Z[i], 6.0);
       if (dx * dx + dy * dy + dz * dz < pack.Radius[i] * pack.Radius[i])
       {
@@ -428,7 +448,8 @@ TEST(ExactPairSum, AgreesWithRandomPointsAndDirections)
       {
         const double expected = probability.S(r, s)[k];
         // binomial; 4.5 standard errors for 54 comparisons
-        EXPECT_NEAR(double(hits[3 * r + s][k]) / samples, expected, 4.5 * std::sqrt(expected * (1 - expected) / samples) + 1e-9)
+        EXPECT_NEAR(double(hits[3 * r + s][k]) / samples, expected,
+          4.5 * std::sqrt(expected * (1 - expected) / samples) + 1e-9)
           << r << " " << s << " " << k;
       }
     }
@@ -437,8 +458,9 @@ TEST(ExactPairSum, AgreesWithRandomPointsAndDirections)
 
 namespace
 {
-// Means and standard errors over random windows of a periodic pack, against the periodic pack itself. The windowed
-// estimator is exactly unbiased under a uniform random shift, since every pair is met with probability gamma / V.
+// Means and standard errors over random windows of a periodic pack, against the periodic pack
+// itself. The windowed estimator is exactly unbiased under a uniform random shift, since every pair
+// is met with probability gamma / V.
 void ExpectUnbiased(const Window& window, std::uint64_t seed, bool distinct)
 {
   const double edge = 16.0;
@@ -483,10 +505,13 @@ void ExpectUnbiased(const Window& window, std::uint64_t seed, bool distinct)
         {
           square += std::pow(cut.S(r, s)[k] - mean, 2);
         }
-        const double error = std::sqrt(square / (cuts * (cuts - 1.0))) + 1e-9; // of the mean; S_12(0) has none
-        // 42 correlated comparisons with 39 degrees of freedom: with 3 standard errors one in five fails by chance
+        const double error =
+          std::sqrt(square / (cuts * (cuts - 1.0))) + 1e-9; // of the mean; S_12(0) has none
+        // 42 correlated comparisons with 39 degrees of freedom: with 3 standard errors one in five
+        // fails by chance
         EXPECT_NEAR(mean, exact.S(r, s)[k], 4.0 * error) << r << " " << s << " lag " << k;
-        // what the test can see: a window that forgot gamma would be off by 1 - gamma / V, a third and more
+        // what the test can see: a window that forgot gamma would be off by 1 - gamma / V, a third
+        // and more
         EXPECT_LT(error, 0.05 * exact.Fractions[r] + 1e-8);
       }
     }
@@ -496,17 +521,20 @@ void ExpectUnbiased(const Window& window, std::uint64_t seed, bool distinct)
 
 TEST(ExactPairSum, BlockWindowIsUnbiased)
 {
-  ExpectUnbiased(Window::MakeBox({ 0.5, 1.0, 0.0 }, { 10.0, 12.0, 14.0 }, { false, false, false }), 100, false);
+  ExpectUnbiased(
+    Window::MakeBox({ 0.5, 1.0, 0.0 }, { 10.0, 12.0, 14.0 }, { false, false, false }), 100, false);
 }
 
 TEST(ExactPairSum, BlockWindowIsUnbiasedWithManyRadii)
 {
-  ExpectUnbiased(Window::MakeBox({ 0.5, 1.0, 0.0 }, { 12.0, 14.0, 15.0 }, { false, false, false }), 101, true);
+  ExpectUnbiased(
+    Window::MakeBox({ 0.5, 1.0, 0.0 }, { 12.0, 14.0, 15.0 }, { false, false, false }), 101, true);
 }
 
 TEST(ExactPairSum, PartlyPeriodicWindowIsUnbiased)
 {
-  ExpectUnbiased(Window::MakeBox({ 0.0, 0.0, 2.0 }, { 16.0, 16.0, 10.0 }, { true, true, false }), 102, false);
+  ExpectUnbiased(
+    Window::MakeBox({ 0.0, 0.0, 2.0 }, { 16.0, 16.0, 10.0 }, { true, true, false }), 102, false);
 }
 
 TEST(ExactPairSum, CylinderWindowIsUnbiased)
@@ -517,7 +545,8 @@ TEST(ExactPairSum, CylinderWindowIsUnbiased)
 TEST(ExactPairSum, TiltedCylinderWindowIsUnbiased)
 {
   const double t = std::sqrt(1.0 / 3.0);
-  ExpectUnbiased(Window::MakeCylinder({ 8 - 5 * t, 8 - 5 * t, 8 - 5 * t }, { 1, 1, 1 }, 5.0, 10.0), 104, false);
+  ExpectUnbiased(
+    Window::MakeCylinder({ 8 - 5 * t, 8 - 5 * t, 8 - 5 * t }, { 1, 1, 1 }, 5.0, 10.0), 104, false);
 }
 
 TEST(ExactPairSum, WindowAgreesWithTheSumOverItsPairs)
@@ -532,7 +561,8 @@ TEST(ExactPairSum, WindowAgreesWithTheSumOverItsPairs)
   {
     for (std::size_t j = 0; j < pack.Size(); ++j)
     {
-      const double dx = pack.X[j] - pack.X[i], dy = pack.Y[j] - pack.Y[i], dz = pack.Z[j] - pack.Z[i];
+      const double dx = pack.X[j] - pack.X[i], dy = pack.Y[j] - pack.Y[i],
+                   dz = pack.Z[j] - pack.Z[i];
       const double d = std::sqrt(dx * dx + dy * dy + dz * dz);
       for (int k = 0; k <= lags.Count; ++k)
       {
@@ -546,8 +576,10 @@ TEST(ExactPairSum, WindowAgreesWithTheSumOverItsPairs)
     }
   }
   ExpectNear(probability.S(0, 0), expected[0], TableError * probability.Fractions[0]);
-  ExpectNear(probability.S(0, 1), expected[1], TableError * std::min(probability.Fractions[0], probability.Fractions[1]));
-  ExpectNear(probability.S(0, 1), expected[2], TableError * std::min(probability.Fractions[0], probability.Fractions[1]));
+  ExpectNear(probability.S(0, 1), expected[1],
+    TableError * std::min(probability.Fractions[0], probability.Fractions[1]));
+  ExpectNear(probability.S(0, 1), expected[2],
+    TableError * std::min(probability.Fractions[0], probability.Fractions[1]));
   ExpectNear(probability.S(1, 1), expected[3], TableError * probability.Fractions[1]);
 }
 
@@ -557,14 +589,17 @@ TEST(ExactPairSum, TablesAndClosedFormAgree)
   const SpherePack pack = oracle::RelaxedPack({ 90, 250 }, { 0.9, 0.6 }, box, 8);
   const SpherePack distinct = WithDistinctRadii(pack);
   const LagGrid lags = { 0.15, 40 };
-  const TwoPointProbability tabulated = Measure(pack, box, lags), direct = Measure(distinct, box, lags);
-  // the two take different ways: the sums of few types are a histogram, those of many an array over the lags
+  const TwoPointProbability tabulated = Measure(pack, box, lags),
+                            direct = Measure(distinct, box, lags);
+  // the two take different ways: the sums of few types are a histogram, those of many an array over
+  // the lags
   EXPECT_NE(ExactPairSum(pack, box, lags).SumsSize(), ExactPairSum(distinct, box, lags).SumsSize());
   for (int r = 0; r < 2; ++r)
   {
     for (int s = r; s < 2; ++s)
     {
-      ExpectNear(direct.S(r, s), tabulated.S(r, s), TableError * std::min(direct.Fractions[r], direct.Fractions[s]));
+      ExpectNear(direct.S(r, s), tabulated.S(r, s),
+        TableError * std::min(direct.Fractions[r], direct.Fractions[s]));
       // and the closed form is that of brute force, up to its fixed point
       ExpectNear(direct.S(r, s), BruteForce(distinct, box, lags, r, s, false).Values, 1e-8);
     }
@@ -573,7 +608,8 @@ TEST(ExactPairSum, TablesAndClosedFormAgree)
 
 TEST(ExactPairSum, ManyRadiiInAWindowAgreeWithTheSumOverPairs)
 {
-  // A radius of its own for every sphere, large and small ones: the closed form in the fixed point of the largest volume
+  // A radius of its own for every sphere, large and small ones: the closed form in the fixed point
+  // of the largest volume
   const Window window = Window::MakeBox({ 0, 0, 0 }, { 14, 15, 16 }, { false, false, false });
   SpherePack pack = oracle::RandomPack({ 1000, 100 }, { 0.3, 1.2 }, window, 9);
   oracle::Uniform random(3);
@@ -589,15 +625,18 @@ TEST(ExactPairSum, ManyRadiiInAWindowAgreeWithTheSumOverPairs)
   {
     for (std::size_t j = i; j < pack.Size(); ++j)
     {
-      const double dx = pack.X[j] - pack.X[i], dy = pack.Y[j] - pack.Y[i], dz = pack.Z[j] - pack.Z[i];
-      const double d = std::sqrt(dx * dx + dy * dy + dz * dz), a = pack.Radius[i], b = pack.Radius[j];
+      const double dx = pack.X[j] - pack.X[i], dy = pack.Y[j] - pack.Y[i],
+                   dz = pack.Z[j] - pack.Z[i];
+      const double d = std::sqrt(dx * dx + dy * dy + dz * dz), a = pack.Radius[i],
+                   b = pack.Radius[j];
       const double orders = i != j && pack.Mode[i] == pack.Mode[j] ? 2.0 : 1.0;
       for (int k = 0; k <= lags.Count; ++k)
       {
         if (std::abs(d - k * lags.Spacing) < a + b)
         {
           expected[pack.Mode[i] + pack.Mode[j] - 2][k] += orders *
-            ruc::OrientationAveragedOverlap(a, b, k * lags.Spacing, d).Value / window.SetCovariance(dx, dy, dz);
+            ruc::OrientationAveragedOverlap(a, b, k * lags.Spacing, d).Value /
+            window.SetCovariance(dx, dy, dz);
         }
       }
     }
@@ -607,7 +646,8 @@ TEST(ExactPairSum, ManyRadiiInAWindowAgreeWithTheSumOverPairs)
     const std::vector<double>& values = probability.S(pair / 2, (pair + 1) / 2);
     for (int k = 1; k <= lags.Count; ++k)
     {
-      EXPECT_NEAR(values[k], expected[pair][k], TableError * expected[pair][k]) << pair << " lag " << k; // as documented
+      EXPECT_NEAR(values[k], expected[pair][k], TableError * expected[pair][k])
+        << pair << " lag " << k; // as documented
     }
   }
 }
@@ -619,7 +659,8 @@ TEST(ExactPairSum, OverlappingSpheresCountTwice)
   SpherePack pack = oracle::RandomPack({ 20, 300 }, { 1.0, 0.4 }, box, 9);
   ruc::SortCanonically(pack);
   const LagGrid lags = { 0.2, 15 };
-  const TwoPointProbability direct = Measure(WithDistinctRadii(pack), box, lags), tabulated = Measure(pack, box, lags);
+  const TwoPointProbability direct = Measure(WithDistinctRadii(pack), box, lags),
+                            tabulated = Measure(pack, box, lags);
   for (int r = 0; r < 2; ++r)
   {
     for (int s = r; s < 2; ++s)
@@ -699,20 +740,24 @@ TEST(ExactPairSum, LagsOutOfRange)
   EXPECT_NEAR(ExactPairSum::LargestLag(pack, slab), 0.999 * 12.0, 1e-12);
   EXPECT_LT(ExactPairSum::LargestLag(pack, slab), 12.0);
   EXPECT_NO_THROW(ExactPairSum(pack, periodic, { 1.0, 40 }));
-  EXPECT_SAYS(ExactPairSum(pack, periodic, { 1.0, 41 }), "MaximumLag requires 0 < MaximumLag <= 40");
+  EXPECT_SAYS(
+    ExactPairSum(pack, periodic, { 1.0, 41 }), "MaximumLag requires 0 < MaximumLag <= 40");
   EXPECT_SAYS(ExactPairSum(pack, open, { 0.1, 80 }), "got 8");
   EXPECT_SAYS(ExactPairSum(pack, open, { 0.0, 10 }), "MaximumLag requires");
   EXPECT_SAYS(ExactPairSum(pack, open, { -0.1, 10 }), "MaximumLag requires");
   EXPECT_SAYS(ExactPairSum(pack, open, { std::nan(""), 10 }), "MaximumLag requires");
-  EXPECT_SAYS(ExactPairSum(pack, open, { 0.1, 0 }), "NumberOfLags requires 1 <= NumberOfLags <= 100000, got 0");
+  EXPECT_SAYS(ExactPairSum(pack, open, { 0.1, 0 }),
+    "NumberOfLags requires 1 <= NumberOfLags <= 100000, got 0");
   EXPECT_SAYS(ExactPairSum(pack, open, { 1e-6, 100001 }), "NumberOfLags");
-  EXPECT_SAYS(ExactPairSum(pack, Window::MakeBox({ 0, 0, 0 }, { 10, 10, 2 }, { false, false, false }), { 0.1, 1 }),
+  EXPECT_SAYS(ExactPairSum(pack,
+                Window::MakeBox({ 0, 0, 0 }, { 10, 10, 2 }, { false, false, false }), { 0.1, 1 }),
     "edges longer than the largest sphere's diameter");
 }
 
 TEST(ExactPairSum, LargestLagIsStillExact)
 {
-  // Up to the largest lag the window allows, where displacements come near its edge and V / gamma grows
+  // Up to the largest lag the window allows, where displacements come near its edge and V / gamma
+  // grows
   SpherePack pack = oracle::RelaxedPack({ 150 }, { 0.5 }, oracle::PeriodicCube(6.0), 6);
   const Window windows[] = { Window::MakeBox({ 0, 0, 0 }, { 6, 6, 6 }, { false, false, false }),
     Window::MakeCylinder({ 3, 3, 0 }, { 0, 0, 1 }, 3.0, 6.0) };
@@ -727,13 +772,15 @@ TEST(ExactPairSum, LargestLagIsStillExact)
       {
         for (std::size_t j = 0; j < inside.Size(); ++j)
         {
-          const double dx = inside.X[j] - inside.X[i], dy = inside.Y[j] - inside.Y[i], dz = inside.Z[j] - inside.Z[i];
+          const double dx = inside.X[j] - inside.X[i], dy = inside.Y[j] - inside.Y[i],
+                       dz = inside.Z[j] - inside.Z[i];
           const double d = std::sqrt(dx * dx + dy * dy + dz * dz);
           for (int k = 0; k <= 10; ++k)
           {
             if (std::abs(d - k * lags.Spacing) < 1.0)
             {
-              expected[k] += ruc::OrientationAveragedOverlap(0.5, 0.5, k * lags.Spacing, d).Value / window.SetCovariance(dx, dy, dz);
+              expected[k] += ruc::OrientationAveragedOverlap(0.5, 0.5, k * lags.Spacing, d).Value /
+                window.SetCovariance(dx, dy, dz);
             }
           }
         }

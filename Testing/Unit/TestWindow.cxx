@@ -13,38 +13,46 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 // Share of a bounding box's random points that lie in the window together with their displaced copy
-void ExpectSampledCovariance(const Window& window, const ruc::Vector3& low, const ruc::Vector3& high, const ruc::Vector3& d)
+void ExpectSampledCovariance(
+  const Window& window, const ruc::Vector3& low, const ruc::Vector3& high, const ruc::Vector3& d)
 {
   oracle::Uniform random(11);
   constexpr int samples = 200000;
   int hits = 0;
   for (int n = 0; n < samples; ++n)
   {
-    const ruc::Vector3 p = { random(low[0], high[0]), random(low[1], high[1]), random(low[2], high[2]) };
+    const ruc::Vector3 p = { random(low[0], high[0]), random(low[1], high[1]),
+      random(low[2], high[2]) };
     hits += window.Contains(p) && window.Contains({ p[0] + d[0], p[1] + d[1], p[2] + d[2] });
   }
   const double volume = (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
   const double share = window.SetCovariance(d[0], d[1], d[2]) / volume;
   // binomial: 4.5 standard errors, and one hit where the share is 0
-  EXPECT_NEAR(double(hits) / samples, share, 4.5 * std::sqrt(share * (1.0 - share) / samples) + 0.5 / samples)
+  EXPECT_NEAR(
+    double(hits) / samples, share, 4.5 * std::sqrt(share * (1.0 - share) / samples) + 0.5 / samples)
     << d[0] << " " << d[1] << " " << d[2];
 }
 
 // An independent test of a point against a cylinder: cross product with the axis
-bool InCylinder(const ruc::Vector3& p, const ruc::Vector3& base, const ruc::Vector3& axis, double radius, double height)
+bool InCylinder(const ruc::Vector3& p, const ruc::Vector3& base, const ruc::Vector3& axis,
+  double radius, double height)
 {
   const double length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
   const ruc::Vector3 v = { p[0] - base[0], p[1] - base[1], p[2] - base[2] };
   const double along = (v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2]) / length;
-  const double cx = v[1] * axis[2] - v[2] * axis[1], cy = v[2] * axis[0] - v[0] * axis[2], cz = v[0] * axis[1] - v[1] * axis[0];
-  return along >= 0.0 && along <= height && std::sqrt(cx * cx + cy * cy + cz * cz) / length <= radius;
+  const double cx = v[1] * axis[2] - v[2] * axis[1], cy = v[2] * axis[0] - v[0] * axis[2],
+               cz = v[0] * axis[1] - v[1] * axis[0];
+  return along >= 0.0 && along <= height &&
+    std::sqrt(cx * cx + cy * cy + cz * cz) / length <= radius;
 }
 }
 
 TEST(Window, BoxSetCovarianceAgreesWithRandomPoints)
 {
-  const Window box = Window::MakeBox({ -1.0, 2.0, 0.5 }, { 4.0, 2.0, 3.0 }, { false, false, false });
-  for (const ruc::Vector3& d : { ruc::Vector3{ 0, 0, 0 }, { 1.0, -0.5, 0.7 }, { -2.5, 0.1, -2.0 }, { 0.0, 2.5, 0.0 }, { 3.9, 0, 0 } })
+  const Window box =
+    Window::MakeBox({ -1.0, 2.0, 0.5 }, { 4.0, 2.0, 3.0 }, { false, false, false });
+  for (const ruc::Vector3& d : { ruc::Vector3{ 0, 0, 0 }, { 1.0, -0.5, 0.7 }, { -2.5, 0.1, -2.0 },
+         { 0.0, 2.5, 0.0 }, { 3.9, 0, 0 } })
   {
     ExpectSampledCovariance(box, { -1.5, 1.5, 0.0 }, { 3.5, 4.5, 4.0 }, d);
   }
@@ -59,13 +67,16 @@ TEST(Window, PeriodicAxesLoseNoVolume)
 
 TEST(Window, CylinderSetCovarianceAgreesWithRandomPoints)
 {
-  for (const ruc::Vector3& axis : { ruc::Vector3{ 0, 0, 1 }, { 0, 0, -2 }, { 1, 2, -2 }, { 5, 0, 0 }, { 0.3, 0.1, 0.9 } })
+  for (const ruc::Vector3& axis :
+    { ruc::Vector3{ 0, 0, 1 }, { 0, 0, -2 }, { 1, 2, -2 }, { 5, 0, 0 }, { 0.3, 0.1, 0.9 } })
   {
     const Window cylinder = Window::MakeCylinder({ 0.2, -0.3, 0.1 }, axis, 1.3, 2.0);
     const double length = std::hypot(axis[0], axis[1], axis[2]);
-    const ruc::Vector3 middle = { 0.2 + axis[0] / length, -0.3 + axis[1] / length, 0.1 + axis[2] / length };
+    const ruc::Vector3 middle = { 0.2 + axis[0] / length, -0.3 + axis[1] / length,
+      0.1 + axis[2] / length };
     const double half = 1.75; // > half the diagonal sqrt(1.3^2 + 1^2)
-    for (const ruc::Vector3& d : { ruc::Vector3{ 0, 0, 0 }, { 0.3, 0.4, 0.5 }, { -1.1, 0.2, 0.6 }, { 0.0, 0.0, 1.9 }, { 2.7, 0, 0 } })
+    for (const ruc::Vector3& d : { ruc::Vector3{ 0, 0, 0 }, { 0.3, 0.4, 0.5 }, { -1.1, 0.2, 0.6 },
+           { 0.0, 0.0, 1.9 }, { 2.7, 0, 0 } })
     {
       ExpectSampledCovariance(cylinder, { middle[0] - half, middle[1] - half, middle[2] - half },
         { middle[0] + half, middle[1] + half, middle[2] + half }, d);
@@ -102,7 +113,8 @@ TEST(Window, ReachKeepsTheSetCovariancePositive)
 {
   oracle::Uniform random(5);
   const Window windows[] = { Window::MakeBox({ 0, 0, 0 }, { 4, 2, 3 }, { false, false, false }),
-    Window::MakeBox({ 0, 0, 0 }, { 4, 2, 3 }, { false, true, false }), Window::MakeCylinder({ 0, 0, 0 }, { 1, 1, 0 }, 1.0, 5.0),
+    Window::MakeBox({ 0, 0, 0 }, { 4, 2, 3 }, { false, true, false }),
+    Window::MakeCylinder({ 0, 0, 0 }, { 1, 1, 0 }, 1.0, 5.0),
     Window::MakeCylinder({ 0, 0, 0 }, { 1, 1, 3 }, 4.0, 1.5) };
   const double reaches[] = { 2.0, 3.0, 2.0, 1.5 };
   for (int w = 0; w < 4; ++w)
@@ -139,14 +151,16 @@ TEST(Window, BadInputIsNamed)
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_SAYS(Window::MakeBox({ NaN, 0, 0 }, { 1, 1, 1 }, none), "BoxOrigin");
   EXPECT_SAYS(Window::MakeBox({ 0, inf, 0 }, { 1, 1, 1 }, none), "BoxOrigin");
-  EXPECT_SAYS(Window::MakeBox({ 0, 0, 0 }, { 1, 0, 1 }, none), "BoxSize requires three finite edges > 0, got 1 0 1.");
+  EXPECT_SAYS(Window::MakeBox({ 0, 0, 0 }, { 1, 0, 1 }, none),
+    "BoxSize requires three finite edges > 0, got 1 0 1.");
   EXPECT_SAYS(Window::MakeBox({ 0, 0, 0 }, { 1, 1, -1 }, none), "BoxSize");
   EXPECT_SAYS(Window::MakeBox({ 0, 0, 0 }, { NaN, 1, 1 }, none), "BoxSize");
   EXPECT_SAYS(Window::MakeBox({ 0, 0, 0 }, { inf, 1, 1 }, none), "BoxSize");
   EXPECT_SAYS(Window::MakeCylinder({ 0, NaN, 0 }, { 0, 0, 1 }, 1, 1), "CylinderBase");
   EXPECT_SAYS(Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 0 }, 1, 1), "CylinderAxis");
   EXPECT_SAYS(Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, NaN }, 1, 1), "CylinderAxis");
-  EXPECT_SAYS(Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, 0, 1), "CylinderRadius requires a finite number > 0, got 0.");
+  EXPECT_SAYS(Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, 0, 1),
+    "CylinderRadius requires a finite number > 0, got 0.");
   EXPECT_SAYS(Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, inf, 1), "CylinderRadius");
   EXPECT_SAYS(Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, 1, -2), "CylinderHeight");
   EXPECT_SAYS(Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, 1, NaN), "CylinderHeight");

@@ -62,12 +62,14 @@ CellList::CellList(const SpherePack& pack, const Window& window, double cutoff)
     }
   }
 
-  // A row of cells along x is one range, so rows are thick, to be few and long, and their cells short, to fit the sphere of
-  // the cut-off. Fewer than one centre a cell make the walk over cells dearer than the distances it saves.
+  // A row of cells along x is one range, so rows are thick, to be few and long, and their cells
+  // short, to fit the sphere of the cut-off. Fewer than one centre a cell make the walk over cells
+  // dearer than the distances it saves.
   constexpr double rowsPerCutoff = 2.0;
   constexpr double cellsPerRowWidth = 4.0;
   const double volume = this->Axes[0].Edge * this->Axes[1].Edge * this->Axes[2].Edge;
-  double width = std::max(cutoff / rowsPerCutoff, std::cbrt(cellsPerRowWidth * volume / pack.Size()));
+  double width =
+    std::max(cutoff / rowsPerCutoff, std::cbrt(cellsPerRowWidth * volume / pack.Size()));
   const auto cells = [&]()
   {
     double product = 1.0;
@@ -87,11 +89,12 @@ CellList::CellList(const SpherePack& pack, const Window& window, double cutoff)
 
   // Counting sort by cell; within a cell the order of the pack stays
   std::vector<std::size_t> cellOf(pack.Size());
-  this->CellBegin.assign(std::size_t(this->Axes[0].Count) * this->Axes[1].Count * this->Axes[2].Count + 1, 0);
+  this->CellBegin.assign(
+    std::size_t(this->Axes[0].Count) * this->Axes[1].Count * this->Axes[2].Count + 1, 0);
   for (std::size_t i = 0; i < pack.Size(); ++i)
   {
-    cellOf[i] =
-      this->CellNumber(this->Axes[0].CellOf(pack.X[i]), this->Axes[1].CellOf(pack.Y[i]), this->Axes[2].CellOf(pack.Z[i]));
+    cellOf[i] = this->CellNumber(this->Axes[0].CellOf(pack.X[i]), this->Axes[1].CellOf(pack.Y[i]),
+      this->Axes[2].CellOf(pack.Z[i]));
     ++this->CellBegin[cellOf[i] + 1];
   }
   std::partial_sum(this->CellBegin.begin(), this->CellBegin.end(), this->CellBegin.begin());
@@ -130,12 +133,14 @@ void CellList::FindRanges(std::size_t i, std::vector<Range>& ranges) const
 {
   ranges.clear();
   const Axis &ax = this->Axes[0], &ay = this->Axes[1], &az = this->Axes[2];
-  // A centre's cell was found with rounding; the slack keeps a pair at the very cut-off from being missed.
+  // A centre's cell was found with rounding; the slack keeps a pair at the very cut-off from being
+  // missed.
   const double reach = this->Cutoff + 1e-12 * (this->Cutoff + ax.Edge + ay.Edge + az.Edge);
   const double x = this->X[i], y = this->Y[i], z = this->Z[i];
   const int cx = ax.CellOf(x), cy = ay.CellOf(y), cz = az.CellOf(z);
 
-  // Half of the neighbourhood: the layers above, the rows behind in the own layer, and what follows in the own row
+  // Half of the neighbourhood: the layers above, the rows behind in the own layer, and what follows
+  // in the own row
   const int lastZ = az.LastCell(z, reach);
   for (int kz = cz; kz <= lastZ; ++kz)
   {
@@ -162,7 +167,8 @@ void CellList::FindRanges(std::size_t i, std::vector<Range>& ranges) const
         const std::size_t stop = this->CellBegin[row + (end - imageX * ax.Count)];
         if (begin < stop)
         {
-          ranges.push_back({ begin, stop, x - imageX * ax.Edge, y - imageY * ay.Edge, z - imageZ * az.Edge });
+          ranges.push_back(
+            { begin, stop, x - imageX * ax.Edge, y - imageY * ay.Edge, z - imageZ * az.Edge });
         }
         kx = end;
       }

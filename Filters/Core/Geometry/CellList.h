@@ -11,11 +11,12 @@
 namespace ruc
 {
 /**
- * The centres of a pack sorted into a grid of cells, for finding every pair of centres closer than a cut-off.
+ * The centres of a pack sorted into a grid of cells, for finding every pair of centres closer than
+ * a cut-off.
  *
- * Along a periodic axis the images of a centre count as centres of their own; the cut-off may exceed the box, in which
- * case a sphere meets several images of another one, and of itself. Memory is linear in the number of spheres; images
- * are not stored.
+ * Along a periodic axis the images of a centre count as centres of their own; the cut-off may
+ * exceed the box, in which case a sphere meets several images of another one, and of itself. Memory
+ * is linear in the number of spheres; images are not stored.
  */
 class CellList
 {
@@ -31,7 +32,8 @@ public:
   double GetCutoff() const { return this->Cutoff; }
   std::size_t Size() const { return this->X.size(); }
 
-  /** Sorted places [Begin, End), to be met by a centre at (X, Y, Z): its own place, less the range's periodic shift. */
+  /** Sorted places [Begin, End), to be met by a centre at (X, Y, Z): its own place, less the
+   * range's periodic shift. */
   struct Range
   {
     std::size_t Begin, End;
@@ -39,9 +41,9 @@ public:
   };
 
   /**
-   * Puts into `ranges` the places that the i-th centre has to be paired with. Over all i, every unordered pair of a
-   * centre and an image of a centre closer than the cut-off appears in exactly one range. A range also holds
-   * centres beyond the cut-off.
+   * Puts into `ranges` the places that the i-th centre has to be paired with. Over all i, every
+   * unordered pair of a centre and an image of a centre closer than the cut-off appears in exactly
+   * one range. A range also holds centres beyond the cut-off.
    */
   void FindRanges(std::size_t i, std::vector<Range>& ranges) const;
 

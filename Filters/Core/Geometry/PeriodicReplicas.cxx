@@ -14,7 +14,8 @@ bool ReachesInto(const Replica& replica, const SpherePack& pack, const Window& b
   double distance2 = 0.0;
   for (int q = 0; q < 3; ++q)
   {
-    const double out = std::max({ box.Origin[q] - centre[q], centre[q] - box.Origin[q] - box.Size[q], 0.0 });
+    const double out =
+      std::max({ box.Origin[q] - centre[q], centre[q] - box.Origin[q] - box.Size[q], 0.0 });
     distance2 += out * out;
   }
   return distance2 < pack.Radius[replica.Original] * pack.Radius[replica.Original];

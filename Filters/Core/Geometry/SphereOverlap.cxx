@@ -52,7 +52,8 @@ double OverlapMoment(double a, double b, double t)
   const double u = std::max(s - std::abs(t), 0.0);
   const double v = std::max(q - std::abs(t), 0.0);
   return Pi / 12.0 *
-    (u * u * u * (4.0 * a * b - s * u + 0.2 * u * u) + v * v * v * (4.0 * a * b + q * v - 0.2 * v * v));
+    (u * u * u * (4.0 * a * b - s * u + 0.2 * u * u) +
+      v * v * v * (4.0 * a * b + q * v - 0.2 * v * v));
 }
 
 double OverlapMomentSlope(double a, double b, double t)
@@ -62,7 +63,8 @@ double OverlapMomentSlope(double a, double b, double t)
 
 AveragedOverlap OrientationAveragedOverlap(double a, double b, double r, double d)
 {
-  // Closer than this to a removable singularity the quotients lose more digits than the limits' own error.
+  // Closer than this to a removable singularity the quotients lose more digits than the limits' own
+  // error.
   const double tiny = 1e-5 * std::min(a, b);
   if (std::abs(d) < tiny)
   {
@@ -70,7 +72,8 @@ AveragedOverlap OrientationAveragedOverlap(double a, double b, double r, double 
   }
   if (r < tiny)
   {
-    return { LensVolume(a, b, std::abs(d)), (d < 0.0 ? -1.0 : 1.0) * LensVolumeSlope(a, b, std::abs(d)) };
+    return { LensVolume(a, b, std::abs(d)),
+      (d < 0.0 ? -1.0 : 1.0) * LensVolumeSlope(a, b, std::abs(d)) };
   }
   const double value = (OverlapMoment(a, b, d - r) - OverlapMoment(a, b, d + r)) / (2.0 * d * r);
   const double slope =

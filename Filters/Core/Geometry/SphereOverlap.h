@@ -6,17 +6,20 @@
  * @file
  * Intersection volume of two spheres and its average over directions, in closed form.
  *
- * Two spheres of radii a and b whose centres are t apart share the lens volume V_ab(t). If one of them is moved
- * by a lag r in a direction drawn at random, the expected shared volume is
+ * Two spheres of radii a and b whose centres are t apart share the lens volume V_ab(t). If one of
+ * them is moved by a lag r in a direction drawn at random, the expected shared volume is
  *
- *     g_ab(r; d) = [ h_ab(d - r) - h_ab(d + r) ] / (2 d r),      h_ab(t) = integral over u from |t| to infinity of u V_ab(u),
+ *     g_ab(r; d) = [ h_ab(d - r) - h_ab(d + r) ] / (2 d r),
+ *     h_ab(t)    = integral over u from |t| to infinity of u V_ab(u),
  *
- * with d the distance of the centres before the move; h_ab is even in t and zero for |t| >= a + b. With s = a + b,
- * q = |a - b| and (x)+ = max(x, 0)
+ * with d the distance of the centres before the move; h_ab is even in t and zero for |t| >= a + b.
+ * With s = a + b, q = |a - b| and (x)+ = max(x, 0)
  *
- *     h_ab(t) = pi/12 { 4 a b [(s-t)+^3 + (q-t)+^3] - s (s-t)+^4 + q (q-t)+^4 + [(s-t)+^5 - (q-t)+^5] / 5 },   t >= 0.
+ *     h_ab(t) = pi/12 { 4 a b [(s-t)+^3 + (q-t)+^3] - s (s-t)+^4 + q (q-t)+^4
+ *                      + [(s-t)+^5 - (q-t)+^5] / 5 },   t >= 0.
  *
- * Summed over the pairs of a pack of spheres that do not overlap, g is its two-point probability function.
+ * Summed over the pairs of a pack of spheres that do not overlap, g is its two-point probability
+ * function.
  */
 
 namespace ruc
@@ -40,6 +43,9 @@ struct AveragedOverlap
   double Slope;
 };
 
-/** g_ab and dg_ab/dd for lag r >= 0 and centre distance d; even in d, with the limits r = 0 and d = 0 taken exactly. */
+/**
+ * g_ab and dg_ab/dd for lag r >= 0 and centre distance d; even in d, with the limits r = 0 and
+ * d = 0 taken exactly.
+ */
 AveragedOverlap OrientationAveragedOverlap(double a, double b, double r, double d);
 }

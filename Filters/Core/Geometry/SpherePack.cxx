@@ -22,7 +22,8 @@ void Permute(std::vector<T>& values, const std::vector<std::size_t>& order)
     return;
   }
   std::vector<T> sorted(order.size());
-  std::transform(order.begin(), order.end(), sorted.begin(), [&](std::size_t i) { return values[i]; });
+  std::transform(
+    order.begin(), order.end(), sorted.begin(), [&](std::size_t i) { return values[i]; });
   values = std::move(sorted);
 }
 
@@ -61,10 +62,14 @@ void SpherePack::Append(const SpherePack& other, std::size_t i)
 void SortCanonically(SpherePack& pack)
 {
   const auto key = [&](std::size_t i)
-  { return std::make_tuple(pack.X[i], pack.Y[i], pack.Z[i], pack.Radius[i], pack.Mode.empty() ? 0 : pack.Mode[i]); };
+  {
+    return std::make_tuple(
+      pack.X[i], pack.Y[i], pack.Z[i], pack.Radius[i], pack.Mode.empty() ? 0 : pack.Mode[i]);
+  };
   std::vector<std::size_t> order(pack.Size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
+  std::sort(
+    order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
   Permute(pack.X, order);
   Permute(pack.Y, order);
   Permute(pack.Z, order);
@@ -83,21 +88,21 @@ void ValidatePack(const SpherePack& pack, bool withModes)
   {
     if (!(std::isfinite(pack.X[i]) && std::isfinite(pack.Y[i]) && std::isfinite(pack.Z[i])))
     {
-      throw std::invalid_argument(Text("Points require finite coordinates, got (", pack.X[i], ", ", pack.Y[i], ", ",
-        pack.Z[i], ")."));
+      throw std::invalid_argument(Text("Points require finite coordinates, got (", pack.X[i], ", ",
+        pack.Y[i], ", ", pack.Z[i], ")."));
     }
     if (!(std::isfinite(pack.Radius[i]) && pack.Radius[i] > 0.0))
     {
-      throw std::invalid_argument(
-        Text("Array 'Radius' requires finite values > 0, got ", pack.Radius[i], " for ", At(pack, i), "."));
+      throw std::invalid_argument(Text("Array 'Radius' requires finite values > 0, got ",
+        pack.Radius[i], " for ", At(pack, i), "."));
     }
   }
   for (std::size_t i = 1; i < pack.Size(); ++i)
   {
     if (pack.Centre(i) == pack.Centre(i - 1))
     {
-      throw std::invalid_argument(
-        Text("Points require distinct centres, got two spheres at (", pack.X[i], ", ", pack.Y[i], ", ", pack.Z[i], ")."));
+      throw std::invalid_argument(Text("Points require distinct centres, got two spheres at (",
+        pack.X[i], ", ", pack.Y[i], ", ", pack.Z[i], ")."));
     }
   }
   if (!withModes)
@@ -107,11 +112,13 @@ void ValidatePack(const SpherePack& pack, bool withModes)
   std::vector<bool> seen;
   for (std::size_t i = 0; i < pack.Size(); ++i)
   {
-    // More modes than spheres cannot be without a gap; this also keeps a wild value from sizing the table.
+    // More modes than spheres cannot be without a gap; this also keeps a wild value from sizing the
+    // table.
     if (pack.Mode[i] < 1 || std::size_t(pack.Mode[i]) > pack.Size())
     {
-      throw std::invalid_argument(Text("Array 'Mode' requires the values 1 to the number of modes without a gap, got ",
-        pack.Mode[i], " for ", At(pack, i), "."));
+      throw std::invalid_argument(
+        Text("Array 'Mode' requires the values 1 to the number of modes without a gap, got ",
+          pack.Mode[i], " for ", At(pack, i), "."));
     }
     if (std::size_t(pack.Mode[i]) > seen.size())
     {
@@ -122,7 +129,8 @@ void ValidatePack(const SpherePack& pack, bool withModes)
   const auto gap = std::find(seen.begin(), seen.end(), false);
   if (gap != seen.end())
   {
-    throw std::invalid_argument(Text("Array 'Mode' requires the values 1 to the number of modes without a gap, got no sphere of mode ",
+    throw std::invalid_argument(Text("Array 'Mode' requires the values 1 to the number of modes "
+                                     "without a gap, got no sphere of mode ",
       gap - seen.begin() + 1, " but some of mode ", seen.size(), "."));
   }
 }
@@ -141,16 +149,18 @@ void ValidateWindow(const SpherePack& pack, const Window& window)
   }
   if (outside > 0)
   {
-    throw std::invalid_argument(Text("The ", window.Describe(), " requires every centre inside, got ", outside, " of ",
-      pack.Size(), " outside, such as ", At(pack, first), "."));
+    throw std::invalid_argument(
+      Text("The ", window.Describe(), " requires every centre inside, got ", outside, " of ",
+        pack.Size(), " outside, such as ", At(pack, first), "."));
   }
   const double diameter = 2.0 * pack.LargestRadius();
   for (int q = 0; q < 3; ++q)
   {
     if (window.Periodic[q] && !(window.Size[q] > diameter))
     {
-      throw std::invalid_argument(Text("BoxSize requires periodic edges longer than the largest sphere's diameter, ", diameter,
-        ", got ", window.Size[0], " ", window.Size[1], " ", window.Size[2], "."));
+      throw std::invalid_argument(
+        Text("BoxSize requires periodic edges longer than the largest sphere's diameter, ",
+          diameter, ", got ", window.Size[0], " ", window.Size[1], " ", window.Size[2], "."));
     }
   }
   if (window.IsPeriodic())
@@ -162,8 +172,8 @@ void ValidateWindow(const SpherePack& pack, const Window& window)
     {
       if (wrapped.Centre(i) == wrapped.Centre(i - 1))
       {
-        throw std::invalid_argument(Text("A periodic box requires each sphere once, got ", At(wrapped, i),
-          " together with its periodic image."));
+        throw std::invalid_argument(Text("A periodic box requires each sphere once, got ",
+          At(wrapped, i), " together with its periodic image."));
       }
     }
   }
@@ -194,7 +204,8 @@ void WrapIntoBox(SpherePack& pack, const Window& box)
     for (double& c : *axes[q])
     {
       c -= box.Size[q] * std::floor((c - box.Origin[q]) / box.Size[q]);
-      if (!(c >= box.Origin[q] && c < box.Origin[q] + box.Size[q])) // rounding, for a centre just off a face
+      if (!(c >= box.Origin[q] &&
+            c < box.Origin[q] + box.Size[q])) // rounding, for a centre just off a face
       {
         c = box.Origin[q];
       }

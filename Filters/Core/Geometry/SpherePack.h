@@ -11,8 +11,8 @@
 namespace ruc
 {
 /**
- * Spheres: centre, radius and mode (class of size, 1 to N_p), one entry a sphere in every array. `Mode` and
- * `Id`, a name of the sphere's own, may be empty where they play no part.
+ * Spheres: centre, radius and mode (class of size, 1 to N_p), one entry a sphere in every array.
+ * `Mode` and `Id`, a name of the sphere's own, may be empty where they play no part.
  */
 struct SpherePack
 {
@@ -30,28 +30,29 @@ struct SpherePack
 };
 
 /**
- * Puts the spheres in the order of (x, y, z, radius, mode), so that what is computed from a pack does not depend on
- * how it was stored or spread over ranks.
+ * Puts the spheres in the order of (x, y, z, radius, mode), so that what is computed from a pack
+ * does not depend on how it was stored or spread over ranks.
  */
 void SortCanonically(SpherePack& pack);
 
 /**
- * What every estimator asks of its input. Throws std::invalid_argument that says which sphere fails and how:
- * at least one sphere, finite centres, finite radii > 0, no two spheres with one centre (a canonically sorted pack is
- * needed to notice), modes 1…N_p without a gap when `withModes`.
+ * What every estimator asks of its input. Throws std::invalid_argument that says which sphere fails
+ * and how: at least one sphere, finite centres, finite radii > 0, no two spheres with one centre (a
+ * canonically sorted pack is needed to notice), modes 1…N_p without a gap when `withModes`.
  */
 void ValidatePack(const SpherePack& pack, bool withModes);
 
 /**
- * What a window asks of the pack in it. Throws std::invalid_argument when a centre lies outside, when an edge of a
- * periodic axis is not longer than the largest sphere's diameter, or when two centres coincide across the border of
- * a periodic box.
+ * What a window asks of the pack in it. Throws std::invalid_argument when a centre lies outside,
+ * when an edge of a periodic axis is not longer than the largest sphere's diameter, or when two
+ * centres coincide across the border of a periodic box.
  */
 void ValidateWindow(const SpherePack& pack, const Window& window);
 
 /** The spheres whose centres lie in the window, in the same order. */
 SpherePack CropToWindow(const SpherePack& pack, const Window& window);
 
-/** Moves centres that lie on or beyond the upper border of a periodic axis by whole edges into [origin, origin + edge). */
+/** Moves centres that lie on or beyond the upper border of a periodic axis by whole edges into
+ * [origin, origin + edge). */
 void WrapIntoBox(SpherePack& pack, const Window& box);
 }

@@ -30,7 +30,11 @@ std::size_t FindBadByte(std::string_view text)
   for (std::size_t i = 0; i < text.size();)
   {
     const unsigned char c = static_cast<unsigned char>(text[i]);
-    const std::size_t length = c < 0x80 ? 1 : c >= 0xC2 && c < 0xE0 ? 2 : c >= 0xE0 && c < 0xF0 ? 3 : c >= 0xF0 && c < 0xF5 ? 4 : 0;
+    const std::size_t length = c < 0x80 ? 1
+      : c >= 0xC2 && c < 0xE0           ? 2
+      : c >= 0xE0 && c < 0xF0           ? 3
+      : c >= 0xF0 && c < 0xF5           ? 4
+                                        : 0;
     bool good = length > 0 && i + length <= text.size() && c != 0;
     for (std::size_t k = 1; good && k < length; ++k)
     {
@@ -130,7 +134,8 @@ std::string Quote(std::string_view field)
 std::string Lower(std::string_view name)
 {
   std::string lower(name);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(
+    lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
   return lower;
 }
 
@@ -143,7 +148,8 @@ struct Columns
 
   std::string Name(int column) const
   {
-    return this->Names.empty() ? Text("column ", column + 1) : Text("column ", column + 1, " ('", this->Names[column], "')");
+    return this->Names.empty() ? Text("column ", column + 1)
+                               : Text("column ", column + 1, " ('", this->Names[column], "')");
   }
 };
 
@@ -162,8 +168,8 @@ int FindColumn(const std::vector<std::string>& names, std::initializer_list<cons
   return -1;
 }
 
-Columns FindColumns(
-  std::size_t line, const std::vector<std::string_view>& fields, bool header, const SpherePackTextSettings& settings)
+Columns FindColumns(std::size_t line, const std::vector<std::string_view>& fields, bool header,
+  const SpherePackTextSettings& settings)
 {
   Columns columns;
   columns.Count = fields.size();
@@ -181,7 +187,8 @@ Columns FindColumns(
       int& Column;
       const char* Name;
       std::initializer_list<const char*> Names;
-    } axes[] = { { columns.X, "x", { "x", "points:0", "points_0" } }, { columns.Y, "y", { "y", "points:1", "points_1" } },
+    } axes[] = { { columns.X, "x", { "x", "points:0", "points_0" } },
+      { columns.Y, "y", { "y", "points:1", "points_1" } },
       { columns.Z, "z", { "z", "points:2", "points_2" } } };
     for (const auto& axis : axes)
     {
@@ -196,15 +203,18 @@ Columns FindColumns(
   }
   else if (columns.Count < 3)
   {
-    Fail(line, Text("the columns x, y, z and radius are required, got ", columns.Count, " column(s)."));
+    Fail(line,
+      Text("the columns x, y, z and radius are required, got ", columns.Count, " column(s)."));
   }
 
   double number = 0.0;
-  if (!settings.RadiusColumn.empty() && ParseNumber(settings.RadiusColumn, number) && number == std::floor(number))
+  if (!settings.RadiusColumn.empty() && ParseNumber(settings.RadiusColumn, number) &&
+    number == std::floor(number))
   {
     if (!(number >= 1.0 && number <= columns.Count))
     {
-      Fail(line, Text("RadiusColumn requires a column from 1 to ", columns.Count, ", got ", number, "."));
+      Fail(line,
+        Text("RadiusColumn requires a column from 1 to ", columns.Count, ", got ", number, "."));
     }
     columns.Radius = static_cast<int>(number) - 1;
   }
@@ -214,8 +224,9 @@ Columns FindColumns(
     columns.Radius = FindColumn(columns.Names, { wanted.c_str() });
     if (columns.Radius < 0)
     {
-      Fail(line, Text("RadiusColumn requires a column '", settings.RadiusColumn, "', got ",
-        header ? "the columns " + found : "a text without header", "."));
+      Fail(line,
+        Text("RadiusColumn requires a column '", settings.RadiusColumn, "', got ",
+          header ? "the columns " + found : "a text without header", "."));
     }
   }
   else if (header)
@@ -228,17 +239,21 @@ Columns FindColumns(
     }
     if (columns.Radius < 0)
     {
-      Fail(line, Text("a column 'radius' or 'diameter' is required (or RadiusColumn set), got the columns ", found, "."));
+      Fail(line,
+        Text("a column 'radius' or 'diameter' is required (or RadiusColumn set), got the columns ",
+          found, "."));
     }
   }
   else if (columns.Count < 4)
   {
-    Fail(line, Text("the columns x, y, z and radius are required, got ", columns.Count, " column(s)."));
+    Fail(line,
+      Text("the columns x, y, z and radius are required, got ", columns.Count, " column(s)."));
   }
   return columns;
 }
 
-double Number(std::size_t line, const std::vector<std::string_view>& fields, const Columns& columns, int column)
+double Number(
+  std::size_t line, const std::vector<std::string_view>& fields, const Columns& columns, int column)
 {
   double value = 0.0;
   if (!ParseNumber(fields[column], value))
@@ -247,18 +262,21 @@ double Number(std::size_t line, const std::vector<std::string_view>& fields, con
   }
   if (!std::isfinite(value))
   {
-    Fail(line, Text(columns.Name(column), " requires a finite number, got ", Quote(fields[column]), "."));
+    Fail(line,
+      Text(columns.Name(column), " requires a finite number, got ", Quote(fields[column]), "."));
   }
   return value;
 }
 
 // A whole number that a double holds exactly
-std::int64_t Integer(std::size_t line, const std::vector<std::string_view>& fields, const Columns& columns, int column, double most)
+std::int64_t Integer(std::size_t line, const std::vector<std::string_view>& fields,
+  const Columns& columns, int column, double most)
 {
   const double value = Number(line, fields, columns, column);
   if (value != std::floor(value) || std::abs(value) > most)
   {
-    Fail(line, Text(columns.Name(column), " requires a whole number, got ", Quote(fields[column]), "."));
+    Fail(line,
+      Text(columns.Name(column), " requires a whole number, got ", Quote(fields[column]), "."));
   }
   return static_cast<std::int64_t>(value);
 }
@@ -274,7 +292,8 @@ SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettin
 {
   if (!(std::isfinite(settings.Scale) && settings.Scale > 0.0))
   {
-    throw std::invalid_argument(Text("Scale requires a finite number > 0, got ", settings.Scale, "."));
+    throw std::invalid_argument(
+      Text("Scale requires a finite number > 0, got ", settings.Scale, "."));
   }
   constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
   if (text.substr(0, byteOrderMark.size()) == byteOrderMark)
@@ -298,13 +317,16 @@ SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettin
     }
     if (line.size() > LongestLine)
     {
-      Fail(number, Text("a line of at most ", LongestLine, " bytes is required, got ", line.size(), "."));
+      Fail(number,
+        Text("a line of at most ", LongestLine, " bytes is required, got ", line.size(), "."));
     }
     const std::size_t bad = FindBadByte(line);
     if (bad != std::string_view::npos)
     {
-      Fail(number, Text("UTF-8 text is required, got the byte ", static_cast<unsigned>(static_cast<unsigned char>(line[bad])),
-        " at place ", bad + 1, "."));
+      Fail(number,
+        Text("UTF-8 text is required, got the byte ",
+          static_cast<unsigned>(static_cast<unsigned char>(line[bad])), " at place ", bad + 1,
+          "."));
     }
     line = TrimBlanks(line);
     if (line.empty() || line.front() == '#')
@@ -320,7 +342,8 @@ SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettin
     {
       first = false;
       double ignored;
-      const bool header = std::any_of(fields.begin(), fields.end(), [&](auto field) { return !ParseNumber(field, ignored); });
+      const bool header = std::any_of(
+        fields.begin(), fields.end(), [&](auto field) { return !ParseNumber(field, ignored); });
       columns = FindColumns(number, fields, header, settings);
       if (header)
       {
@@ -329,20 +352,27 @@ SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettin
     }
     if (fields.size() != columns.Count)
     {
-      Fail(number, Text(columns.Count, " fields are required as in the first line, got ", fields.size(), "."));
+      Fail(number,
+        Text(columns.Count, " fields are required as in the first line, got ", fields.size(), "."));
     }
-    const double radius = Number(number, fields, columns, columns.Radius) * (columns.Diameter ? 0.5 : 1.0);
+    const double radius =
+      Number(number, fields, columns, columns.Radius) * (columns.Diameter ? 0.5 : 1.0);
     if (!(radius > 0.0))
     {
-      Fail(number, Text(columns.Name(columns.Radius), " requires a number > 0, got ", Quote(fields[columns.Radius]), "."));
+      Fail(number,
+        Text(columns.Name(columns.Radius), " requires a number > 0, got ",
+          Quote(fields[columns.Radius]), "."));
     }
-    const double numbers[4] = { Number(number, fields, columns, columns.X), Number(number, fields, columns, columns.Y),
-      Number(number, fields, columns, columns.Z), radius };
+    const double numbers[4] = { Number(number, fields, columns, columns.X),
+      Number(number, fields, columns, columns.Y), Number(number, fields, columns, columns.Z),
+      radius };
     for (double value : numbers)
     {
       if (!std::isfinite(settings.Scale * value) || settings.Scale * radius == 0.0)
       {
-        Fail(number, Text("Scale requires a factor that leaves every number finite and every radius > 0, got ", settings.Scale, "."));
+        Fail(number,
+          Text("Scale requires a factor that leaves every number finite and every radius > 0, got ",
+            settings.Scale, "."));
       }
     }
     pack.X.push_back(settings.Scale * numbers[0]);
@@ -351,8 +381,8 @@ SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettin
     pack.Radius.push_back(settings.Scale * radius);
     if (columns.Mode >= 0)
     {
-      pack.Mode.push_back(
-        static_cast<int>(Integer(number, fields, columns, columns.Mode, std::numeric_limits<int>::max())));
+      pack.Mode.push_back(static_cast<int>(
+        Integer(number, fields, columns, columns.Mode, std::numeric_limits<int>::max())));
     }
     if (columns.Id >= 0)
     {
@@ -376,7 +406,8 @@ std::vector<bool> FindPeriodicCopies(const SpherePack& pack, const Window& box)
     for (int q = 0; q < 3; ++q)
     {
       const double c = pack.Centre(i)[q];
-      outside[i] = outside[i] || (box.Periodic[q] && !(c >= box.Origin[q] && c < box.Origin[q] + box.Size[q]));
+      outside[i] =
+        outside[i] || (box.Periodic[q] && !(c >= box.Origin[q] && c < box.Origin[q] + box.Size[q]));
     }
   }
   std::vector<bool> copy(pack.Size(), false);
@@ -386,7 +417,8 @@ std::vector<bool> FindPeriodicCopies(const SpherePack& pack, const Window& box)
   }
   SpherePack wrapped = pack;
   WrapIntoBox(wrapped, box);
-  const CellList cells(wrapped, box, tolerance * *std::max_element(box.Size.begin(), box.Size.end()));
+  const CellList cells(
+    wrapped, box, tolerance * *std::max_element(box.Size.begin(), box.Size.end()));
   std::vector<CellList::Range> ranges;
   for (std::size_t i = 0; i < cells.Size(); ++i)
   {
@@ -395,7 +427,8 @@ std::vector<bool> FindPeriodicCopies(const SpherePack& pack, const Window& box)
     {
       for (std::size_t j = range.Begin; j < range.End; ++j)
       {
-        const double distance = std::hypot(cells.X[j] - range.X, cells.Y[j] - range.Y, cells.Z[j] - range.Z);
+        const double distance =
+          std::hypot(cells.X[j] - range.X, cells.Y[j] - range.Y, cells.Z[j] - range.Z);
         const std::size_t p = cells.Index[i], q = cells.Index[j];
         if (outside[p] != outside[q] && distance < cells.GetCutoff() &&
           std::abs(pack.Radius[p] - pack.Radius[q]) <= tolerance * pack.Radius[p])

@@ -14,7 +14,8 @@ struct SpherePackTextSettings
 {
   /** Lines at the start of the text that are passed over unread. */
   int SkipLines = 0;
-  /** Name or 1-based number of the column with the radius; empty: found by name, the fourth column without a header. */
+  /** Name or 1-based number of the column with the radius; empty: found by name, the fourth column
+   * without a header. */
   std::string RadiusColumn;
   /** The column holds diameters. */
   bool RadiusIsDiameter = false;
@@ -33,22 +34,26 @@ struct SpherePackText
 };
 
 /**
- * Reads a table of spheres: one a line, columns separated by commas, semicolons, tabs or blanks, decimal point. Blank lines and
- * lines that begin with # are passed over; fields may be in double quotes, without separators inside.
+ * Reads a table of spheres: one a line, columns separated by commas, semicolons, tabs or blanks,
+ * decimal point. Blank lines and lines that begin with # are passed over; fields may be in double
+ * quotes, without separators inside.
  *
- * The first line is a header if any of its fields is not a number. Then the columns are found by name, in any case: x, y, z
- * (also Points:0, Points_0, …), the radius as "radius", "r" or "rad", or its double as "diameter", "d" or "diam"; "mode" and
- * "id" are read where they exist. Without a header the columns are x, y, z, radius.
+ * The first line is a header if any of its fields is not a number. Then the columns are found by
+ * name, in any case: x, y, z (also Points:0, Points_0, …), the radius as "radius", "r" or "rad", or
+ * its double as "diameter", "d" or "diam"; "mode" and "id" are read where they exist. Without a
+ * header the columns are x, y, z, radius.
  *
- * Throws std::invalid_argument that names the line and the column for: no spheres, a missing column, a row with more or
- * fewer fields than the first, text in a number, numbers that are not finite, a radius <= 0, a mode or id that is no whole
- * number, a line over 64 KiB, bytes that are not UTF-8.
+ * Throws std::invalid_argument that names the line and the column for: no spheres, a missing
+ * column, a row with more or fewer fields than the first, text in a number, numbers that are not
+ * finite, a radius <= 0, a mode or id that is no whole number, a line over 64 KiB, bytes that are
+ * not UTF-8.
  */
 SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettings& settings);
 
 /**
- * Which spheres are mere periodic copies of another: outside the half-open box along a periodic axis, with a sphere of the same
- * radius inside at the same place, one or more edges away (to 1e-5 of an edge, as text has few digits).
+ * Which spheres are mere periodic copies of another: outside the half-open box along a periodic
+ * axis, with a sphere of the same radius inside at the same place, one or more edges away (to 1e-5
+ * of an edge, as text has few digits).
  */
 std::vector<bool> FindPeriodicCopies(const SpherePack& pack, const Window& box);
 }

@@ -21,7 +21,8 @@ void RequireFinite(const char* name, const Vector3& v)
   {
     if (!std::isfinite(c))
     {
-      throw std::invalid_argument(Text(name, " requires three finite numbers, got ", v[0], " ", v[1], " ", v[2], "."));
+      throw std::invalid_argument(
+        Text(name, " requires three finite numbers, got ", v[0], " ", v[1], " ", v[2], "."));
     }
   }
 }
@@ -42,15 +43,16 @@ double SharedDiscArea(double radius, double distance)
 }
 }
 
-Window Window::MakeBox(const Vector3& origin, const Vector3& size, const std::array<bool, 3>& periodic)
+Window Window::MakeBox(
+  const Vector3& origin, const Vector3& size, const std::array<bool, 3>& periodic)
 {
   RequireFinite("BoxOrigin", origin);
   for (double edge : size)
   {
     if (!(edge > 0.0 && std::isfinite(edge)))
     {
-      throw std::invalid_argument(
-        Text("BoxSize requires three finite edges > 0, got ", size[0], " ", size[1], " ", size[2], "."));
+      throw std::invalid_argument(Text(
+        "BoxSize requires three finite edges > 0, got ", size[0], " ", size[1], " ", size[2], "."));
     }
   }
   Window window;
@@ -104,14 +106,16 @@ bool Window::Contains(const Vector3& centre) const
     for (int q = 0; q < 3; ++q)
     {
       const double slack = this->Periodic[q] ? 1e-9 * this->Size[q] : 0.0;
-      if (!(centre[q] >= this->Origin[q] - slack && centre[q] <= this->Origin[q] + this->Size[q] + slack))
+      if (!(centre[q] >= this->Origin[q] - slack &&
+            centre[q] <= this->Origin[q] + this->Size[q] + slack))
       {
         return false;
       }
     }
     return true;
   }
-  const Vector3 p = { centre[0] - this->Base[0], centre[1] - this->Base[1], centre[2] - this->Base[2] };
+  const Vector3 p = { centre[0] - this->Base[0], centre[1] - this->Base[1],
+    centre[2] - this->Base[2] };
   const double along = p[0] * this->Axis[0] + p[1] * this->Axis[1] + p[2] * this->Axis[2];
   const double lateral2 = std::max(p[0] * p[0] + p[1] * p[1] + p[2] * p[2] - along * along, 0.0);
   return along >= 0.0 && along <= this->Height && lateral2 <= this->Radius * this->Radius;
@@ -163,7 +167,9 @@ std::string Window::Describe() const
   {
     return Text("cylinder window of radius ", this->Radius, " and height ", this->Height);
   }
-  return Text(this->IsFullyPeriodic() ? "periodic box " : this->IsPeriodic() ? "partly periodic box " : "box window ",
+  return Text(this->IsFullyPeriodic() ? "periodic box "
+      : this->IsPeriodic()            ? "partly periodic box "
+                                      : "box window ",
     this->Size[0], " x ", this->Size[1], " x ", this->Size[2]);
 }
 }

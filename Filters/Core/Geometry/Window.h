@@ -10,8 +10,8 @@ namespace ruc
 using Vector3 = std::array<double, 3>;
 
 /**
- * The region in which the centres of a pack were observed: a box, each axis of which may be periodic, or a circular
- * cylinder of any axis direction. Lengths are in the unit of the pack.
+ * The region in which the centres of a pack were observed: a box, each axis of which may be
+ * periodic, or a circular cylinder of any axis direction. Lengths are in the unit of the pack.
  */
 class Window
 {
@@ -26,13 +26,16 @@ public:
    * A box from `origin` to `origin + size`.
    * Throws std::invalid_argument unless every number is finite and every edge is > 0.
    */
-  static Window MakeBox(const Vector3& origin, const Vector3& size, const std::array<bool, 3>& periodic);
+  static Window MakeBox(
+    const Vector3& origin, const Vector3& size, const std::array<bool, 3>& periodic);
 
   /**
    * A cylinder from `base`, the centre of its base, along `axis` (any length but 0) over `height`.
-   * Throws std::invalid_argument unless every number is finite and radius, height and |axis| are > 0.
+   * Throws std::invalid_argument unless every number is finite and radius, height and |axis| are >
+   * 0.
    */
-  static Window MakeCylinder(const Vector3& base, const Vector3& axis, double radius, double height);
+  static Window MakeCylinder(
+    const Vector3& base, const Vector3& axis, double radius, double height);
 
   Shape GetShape() const { return this->WindowShape; }
   bool IsPeriodic() const;
@@ -40,18 +43,19 @@ public:
   double Volume() const;
 
   /**
-   * Whether a centre lies in the window, on any of its faces included. Along a periodic axis a centre a rounding error
-   * outside (1e-9 of the edge) still counts.
+   * Whether a centre lies in the window, on any of its faces included. Along a periodic axis a
+   * centre a rounding error outside (1e-9 of the edge) still counts.
    */
   bool Contains(const Vector3& centre) const;
 
   /**
-   * Set covariance: the volume of the window's intersection with itself displaced by (dx, dy, dz). A periodic axis
-   * does not lose volume.
+   * Set covariance: the volume of the window's intersection with itself displaced by (dx, dy, dz).
+   * A periodic axis does not lose volume.
    */
   double SetCovariance(double dx, double dy, double dz) const;
 
-  /** Every displacement shorter than this has a set covariance > 0; infinity where all axes are periodic. */
+  /** Every displacement shorter than this has a set covariance > 0; infinity where all axes are
+   * periodic. */
   double Reach() const;
 
   /** The shortest edge; of a cylinder the lesser of diameter and height. */

@@ -44,12 +44,14 @@ std::vector<int> RoundedCounts(const ModeTotals& totals, double share)
   std::vector<int> counts;
   for (std::size_t count : totals.Count)
   {
-    counts.push_back(static_cast<int>(std::lround(std::min(count * share, double(std::numeric_limits<int>::max())))));
+    counts.push_back(static_cast<int>(
+      std::lround(std::min(count * share, double(std::numeric_limits<int>::max())))));
   }
   return counts;
 }
 
-CellContents MakeContents(const SpherePack& pack, const Window& window, const ModeTotals& totals, double share)
+CellContents MakeContents(
+  const SpherePack& pack, const Window& window, const ModeTotals& totals, double share)
 {
   CellContents contents;
   contents.Count = RoundedCounts(totals, share);
@@ -60,10 +62,11 @@ CellContents MakeContents(const SpherePack& pack, const Window& window, const Mo
     if (contents.Count[m] < 1)
     {
       const std::size_t rarest = *std::min_element(totals.Count.begin(), totals.Count.end());
-      throw std::invalid_argument(Text("The cell requires at least one sphere of every mode, got none of mode ", m + 1, " (",
-        totals.Count[m], " of the pack's ", pack.Size(), " spheres, ", totals.Count[m] * share,
-        " in a cell of this size): set CellSize to ", 1.0001 * std::cbrt(0.5 * window.Volume() / rarest),
-        " or more, or use fewer modes."));
+      throw std::invalid_argument(
+        Text("The cell requires at least one sphere of every mode, got none of mode ", m + 1, " (",
+          totals.Count[m], " of the pack's ", pack.Size(), " spheres, ", totals.Count[m] * share,
+          " in a cell of this size): set CellSize to ",
+          1.0001 * std::cbrt(0.5 * window.Volume() / rarest), " or more, or use fewer modes."));
     }
     contents.Radius.push_back(std::cbrt(totals.CubedRadius[m]));
     const double fraction = totals.Count[m] * SphereVolume(contents.Radius[m]) / window.Volume();
@@ -75,8 +78,9 @@ CellContents MakeContents(const SpherePack& pack, const Window& window, const Mo
   const double diameter = 2.0 * *std::max_element(contents.Radius.begin(), contents.Radius.end());
   if (!(contents.Edge > diameter))
   {
-    throw std::invalid_argument(Text("CellSize requires an edge longer than the largest sphere's diameter, ", diameter, ", got ",
-      contents.Edge, "."));
+    throw std::invalid_argument(
+      Text("CellSize requires an edge longer than the largest sphere's diameter, ", diameter,
+        ", got ", contents.Edge, "."));
   }
   return contents;
 }
@@ -111,13 +115,14 @@ CellContents FindCellContents(const SpherePack& pack, const Window& window, int 
   return MakeContents(pack, window, totals, high);
 }
 
-double OnePointDifference(const CellContents& contents, const std::vector<double>& packFractions, double edge)
+double OnePointDifference(
+  const CellContents& contents, const std::vector<double>& packFractions, double edge)
 {
   double sum = 0.0;
   for (std::size_t m = 0; m < contents.Count.size(); ++m)
   {
-    const double difference =
-      packFractions[m] - contents.Count[m] * SphereVolume(contents.Radius[m]) / (edge * edge * edge);
+    const double difference = packFractions[m] -
+      contents.Count[m] * SphereVolume(contents.Radius[m]) / (edge * edge * edge);
     sum += difference * difference;
   }
   return std::sqrt(sum);

@@ -27,11 +27,14 @@ std::vector<SphereType> CellTypes(const CellContents& contents)
   return types;
 }
 
-// Runs pass(begin, end, sums) over this rank's chunks of centres on all threads, and adds `sums` up over threads
+// Runs pass(begin, end, sums) over this rank's chunks of centres on all threads, and adds `sums` up
+// over threads
 template <class Pass>
-void OverChunks(const Communicator& ranks, std::size_t centres, std::vector<std::int64_t>& sums, Pass&& pass)
+void OverChunks(
+  const Communicator& ranks, std::size_t centres, std::vector<std::int64_t>& sums, Pass&& pass)
 {
-  const std::int64_t chunks = static_cast<std::int64_t>((centres + ChunkOfCentres - 1) / ChunkOfCentres);
+  const std::int64_t chunks =
+    static_cast<std::int64_t>((centres + ChunkOfCentres - 1) / ChunkOfCentres);
 #pragma omp parallel
   {
     // A thread by itself adds to the sums at once
@@ -49,7 +52,8 @@ void OverChunks(const Communicator& ranks, std::size_t centres, std::vector<std:
 }
 }
 
-CellObjective::CellObjective(const CellContents& contents, const TwoPointProbability& target, Communicator& communicator)
+CellObjective::CellObjective(
+  const CellContents& contents, const TwoPointProbability& target, Communicator& communicator)
   : Contents(contents)
   , Target(target)
   , Ranks(communicator)
@@ -70,7 +74,8 @@ CellObjective::CellObjective(const CellContents& contents, const TwoPointProbabi
 
 Window CellObjective::MakeBox() const
 {
-  return Window::MakeBox({ 0.0, 0.0, 0.0 }, { this->Contents.Edge, this->Contents.Edge, this->Contents.Edge }, { true, true, true });
+  return Window::MakeBox({ 0.0, 0.0, 0.0 },
+    { this->Contents.Edge, this->Contents.Edge, this->Contents.Edge }, { true, true, true });
 }
 
 SpherePack CellObjective::MakePack(const double* centres) const
@@ -91,7 +96,8 @@ SpherePack CellObjective::MakePack(const double* centres) const
   return pack;
 }
 
-CellObjective::Terms CellObjective::Evaluate(const double* centres, double* gradient, std::int64_t* signal)
+CellObjective::Terms CellObjective::Evaluate(
+  const double* centres, double* gradient, std::int64_t* signal)
 {
   const Window box = this->MakeBox();
   const SpherePack pack = this->MakePack(centres);
@@ -105,7 +111,8 @@ CellObjective::Terms CellObjective::Evaluate(const double* centres, double* grad
   const std::int64_t mostNeighbours = cells.MostNeighbours();
   const double scale = PairHistogram::FixedPointScale(pack.Size(), mostNeighbours, 1.0);
   this->Sums.assign(this->Histogram.Size() + 1, 0);
-  OverChunks(this->Ranks, cells.Size(), this->Sums, [&](std::size_t begin, std::size_t end, std::int64_t* sums)
+  OverChunks(this->Ranks, cells.Size(), this->Sums,
+    [&](std::size_t begin, std::size_t end, std::int64_t* sums)
     { CountPairs(this->Histogram, cells, types, box, scale, begin, end, sums); });
   if (signal)
   {
@@ -129,20 +136,24 @@ CellObjective::Terms CellObjective::Evaluate(const double* centres, double* grad
     const SphereType& high = this->Histogram.HigherType(c);
     const double factor = (low == high ? 2.0 : 1.0) / (scale * volume);
     std::vector<double> weights(kernel.Size());
-    std::transform(&this->Sums[this->Histogram.Begin(c)], &this->Sums[this->Histogram.Begin(c + 1)], weights.begin(),
-      [&](std::int64_t sum) { return factor * sum; });
+    std::transform(&this->Sums[this->Histogram.Begin(c)], &this->Sums[this->Histogram.Begin(c + 1)],
+      weights.begin(), [&](std::int64_t sum) { return factor * sum; });
     double* s = &pairs[c * stride];
     kernel.AddOverlap(weights.data(), s);
-    for (std::size_t k = 0; low == high && k < stride && k * this->Target.Lags.Spacing < 2.0 * low.Radius; ++k)
+    for (std::size_t k = 0;
+         low == high && k < stride && k * this->Target.Lags.Spacing < 2.0 * low.Radius; ++k)
     {
-      s[k] += this->Contents.Count[low.Mode - 1] * LensVolume(low.Radius, low.Radius, k * this->Target.Lags.Spacing) / volume;
+      s[k] += this->Contents.Count[low.Mode - 1] *
+        LensVolume(low.Radius, low.Radius, k * this->Target.Lags.Spacing) / volume;
     }
   }
   this->Ranks.Share(pairs.data(), pairs.size());
   for (int c = 0; c < this->Histogram.NumberOfClasses(); ++c)
   {
     std::copy_n(&pairs[c * stride], stride,
-      this->Probability.S(this->Histogram.LowerType(c).Mode - 1, this->Histogram.HigherType(c).Mode - 1).begin());
+      this->Probability
+        .S(this->Histogram.LowerType(c).Mode - 1, this->Histogram.HigherType(c).Mode - 1)
+        .begin());
   }
   this->Probability.CompleteMatrix();
 
@@ -168,9 +179,11 @@ CellObjective::Terms CellObjective::Evaluate(const double* centres, double* grad
   this->AddTwoPointPotential(volume);
   std::vector<double> slopes;
   const double steepest = FindSlopes(this->Histogram, this->Potential, slopes);
-  const double forceScale = PairHistogram::FixedPointScale(1, mostNeighbours, std::max(steepest, 1e-30));
+  const double forceScale =
+    PairHistogram::FixedPointScale(1, mostNeighbours, std::max(steepest, 1e-30));
   std::vector<std::int64_t> forces(4 * cells.Size(), 0);
-  OverChunks(this->Ranks, cells.Size(), forces, [&](std::size_t begin, std::size_t end, std::int64_t* sums)
+  OverChunks(this->Ranks, cells.Size(), forces,
+    [&](std::size_t begin, std::size_t end, std::int64_t* sums)
     { AddPairForces(this->Histogram, cells, types, slopes, forceScale, begin, end, sums); });
   this->Ranks.Sum(forces.data(), forces.size());
   for (std::size_t j = 0; j < cells.Size(); ++j)
@@ -190,8 +203,8 @@ void CellObjective::AddTwoPointPotential(double volume)
   TwoPointProbability unit(this->Target.Modes, this->Target.Lags);
   for (int p = 0; p < unit.Pairs(); ++p)
   {
-    std::transform(this->Probability.Values[p].begin(), this->Probability.Values[p].end(), this->Target.Values[p].begin(),
-      unit.Values[p].begin(), std::minus<>());
+    std::transform(this->Probability.Values[p].begin(), this->Probability.Values[p].end(),
+      this->Target.Values[p].begin(), unit.Values[p].begin(), std::minus<>());
     const double norm = DiscreteNorm(unit.Values[p]);
     for (double& value : unit.Values[p])
     {
@@ -206,16 +219,19 @@ void CellObjective::AddTwoPointPotential(double volume)
   {
     const int r = this->Histogram.LowerType(c).Mode - 1;
     const int s = this->Histogram.HigherType(c).Mode - 1;
-    // A pair of modes r != s stands twice in the sum over all ordered pairs, and so do its matrix terms; a pair of
-    // particles of one mode counts twice in S_rr. Either way the derivative after one more pair is twice e_rs - ….
+    // A pair of modes r != s stands twice in the sum over all ordered pairs, and so do its matrix
+    // terms; a pair of particles of one mode counts twice in S_rr. Either way the derivative after
+    // one more pair is twice e_rs - ….
     std::vector<double> lambda(lags);
     for (std::size_t k = 1; k < lags; ++k)
     {
-      lambda[k] = 2.0 / volume * (unit.S(r, s)[k] - unit.S(r, m)[k] - unit.S(s, m)[k] + unit.S(m, m)[k]);
+      lambda[k] =
+        2.0 / volume * (unit.S(r, s)[k] - unit.S(r, m)[k] - unit.S(s, m)[k] + unit.S(m, m)[k]);
     }
     this->Histogram.Kernel(c).AddPotential(lambda.data(), &potential[this->Histogram.Begin(c)]);
   }
   this->Ranks.Share(potential.data(), potential.size());
-  std::transform(potential.begin(), potential.end(), this->Potential.begin(), this->Potential.begin(), std::plus<>());
+  std::transform(potential.begin(), potential.end(), this->Potential.begin(),
+    this->Potential.begin(), std::plus<>());
 }
 }

@@ -13,21 +13,26 @@
 namespace ruc
 {
 /**
- * The objective of the reconstruction and its gradient: F2, equation (13), of a periodic cell against a target, plus a penalty
- * for spheres that overlap,
+ * The objective of the reconstruction and its gradient: F2, equation (13), of a periodic cell
+ * against a target, plus a penalty for spheres that overlap,
  *
- *     F2 + w sum over overlapping pairs of ((a + b - d) / r)^2,     r the mean radius, weighted by volume, of the cell's spheres.
+ *     F2 + w sum over overlapping pairs of ((a + b - d) / r)^2,
  *
- * F2 depends on the centres through the pair distances alone. With lambda_rs(k) = dF2/dS_rs(r_k) the tabulated pair potential
- * Phi_rs(d) = sum_k lambda_rs(k) g_rs(r_k; d) gives dF2/dx_i as a sum of pair forces, at the cost of one more pass over
- * the pairs. The penalty is part of the same tables. Centres are in the order of the modes: first all of mode 1, …
+ * r the mean radius, weighted by volume, of the cell's spheres.
  *
- * The pairs are split over the ranks; sums over pairs are integers, so every rank gets the same bits, whatever their number.
+ * F2 depends on the centres through the pair distances alone. With lambda_rs(k) = dF2/dS_rs(r_k)
+ * the tabulated pair potential Phi_rs(d) = sum_k lambda_rs(k) g_rs(r_k; d) gives dF2/dx_i as a sum
+ * of pair forces, at the cost of one more pass over the pairs. The penalty is part of the same
+ * tables. Centres are in the order of the modes: first all of mode 1, …
+ *
+ * The pairs are split over the ranks; sums over pairs are integers, so every rank gets the same
+ * bits, whatever their number.
  */
 class CellObjective
 {
 public:
-  CellObjective(const CellContents& contents, const TwoPointProbability& target, Communicator& communicator);
+  CellObjective(
+    const CellContents& contents, const TwoPointProbability& target, Communicator& communicator);
 
   void SetPenaltyWeight(double weight) { this->PenaltyWeight = weight; }
 
@@ -39,8 +44,9 @@ public:
   };
 
   /**
-   * Collective. `centres` holds x, y, z of every sphere, anywhere in space; `gradient` as many numbers, or null when it is not
-   * wanted. `signal` is a number of the ranks' own that is summed along, such as a wish to stop; it may be null.
+   * Collective. `centres` holds x, y, z of every sphere, anywhere in space; `gradient` as many
+   * numbers, or null when it is not wanted. `signal` is a number of the ranks' own that is summed
+   * along, such as a wish to stop; it may be null.
    */
   Terms Evaluate(const double* centres, double* gradient, std::int64_t* signal = nullptr);
 

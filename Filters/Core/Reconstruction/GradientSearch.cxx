@@ -13,7 +13,8 @@ namespace ruc
 {
 namespace
 {
-// A cell without overlap is kept this often, for a search that is stopped or cannot be freed of overlap at its end
+// A cell without overlap is kept this often, for a search that is stopped or cannot be freed of
+// overlap at its end
 constexpr int IterationsBetweenKept = 100;
 // The search has converged when F2 fell by less than this share in as many iterations
 constexpr double LeastProgress = 1e-3;
@@ -28,7 +29,8 @@ std::vector<double> Centres(const SpherePack& pack)
   return centres;
 }
 
-// Overlap in percent, as MeasureOverlap defines it, from S_rs(0): every pair that overlaps adds its lens volume twice
+// Overlap in percent, as MeasureOverlap defines it, from S_rs(0): every pair that overlaps adds its
+// lens volume twice
 double OverlapPercent(const TwoPointProbability& probability)
 {
   double fraction = 0.0;
@@ -47,8 +49,9 @@ double OverlapPercent(const TwoPointProbability& probability)
 class Search
 {
 public:
-  Search(const CellContents& contents, const TwoPointProbability& target, const GradientSearchSettings& settings,
-    Communicator& communicator, const std::function<bool(const SearchState&)>& carryOn)
+  Search(const CellContents& contents, const TwoPointProbability& target,
+    const GradientSearchSettings& settings, Communicator& communicator,
+    const std::function<bool(const SearchState&)>& carryOn)
     : Settings(settings)
     , Target(target)
     , Ranks(communicator)
@@ -69,7 +72,8 @@ public:
   {
     std::vector<double> centres = this->Start;
     this->Evaluate(centres.data(), nullptr);
-    this->Record("removing overlap", this->Terms.TwoPoint, OverlapPercent(this->Objective.GetProbability()));
+    this->Record(
+      "removing overlap", this->Terms.TwoPoint, OverlapPercent(this->Objective.GetProbability()));
     this->Keep(centres);
     this->RecordBest();
     this->Best.StartObjective = this->Best.Objective;
@@ -119,15 +123,18 @@ private:
     return this->Best.Overlap.IsNone() && this->Best.Objective <= this->Settings.TargetObjective;
   }
 
-  void RecordBest() { this->Record("removing overlap", this->Best.Objective, this->Best.Overlap.Percent); }
+  void RecordBest()
+  {
+    this->Record("removing overlap", this->Best.Objective, this->Best.Overlap.Percent);
+  }
 
-  // Frees a copy of the centres from overlap and keeps it if it is the best so far. A cell with overlap is kept only
-  // while there is none without.
+  // Frees a copy of the centres from overlap and keeps it if it is the best so far. A cell with
+  // overlap is kept only while there is none without.
   void Keep(const std::vector<double>& centres)
   {
     SpherePack pack = this->Objective.MakePack(centres.data());
-    const SearchState state = { "removing overlap", static_cast<int>(this->Best.Convergence.size()), this->Terms.TwoPoint,
-      OverlapPercent(this->Objective.GetProbability()) };
+    const SearchState state = { "removing overlap", static_cast<int>(this->Best.Convergence.size()),
+      this->Terms.TwoPoint, OverlapPercent(this->Objective.GetProbability()) };
     RemoveOverlap(pack, this->Best.Box, this->Settings.Seed,
       [&]()
       {
@@ -143,7 +150,8 @@ private:
     const double objective = TwoPointDifference(this->Target, probability);
     const bool first = this->Best.Pack.Empty();
     const bool freer = overlap.IsNone() && !this->Best.Overlap.IsNone();
-    if (first || freer || (overlap.IsNone() == this->Best.Overlap.IsNone() && objective < this->Best.Objective))
+    if (first || freer ||
+      (overlap.IsNone() == this->Best.Overlap.IsNone() && objective < this->Best.Objective))
     {
       this->Best.Pack = std::move(pack);
       this->Best.Overlap = overlap;
@@ -187,7 +195,8 @@ private:
           return false;
         }
         const bool due = iteration % IterationsBetweenKept == 0;
-        const bool promising = objective <= this->Settings.TargetObjective && objective < 0.99 * tried;
+        const bool promising =
+          objective <= this->Settings.TargetObjective && objective < 0.99 * tried;
         if (due || promising)
         {
           tried = objective;
@@ -208,7 +217,9 @@ private:
         }
         return true;
       });
-    return iterations >= this->Settings.MaximumIterations && endedBy == "Converged" ? "Maximum iterations" : endedBy;
+    return iterations >= this->Settings.MaximumIterations && endedBy == "Converged"
+      ? "Maximum iterations"
+      : endedBy;
   }
 
   const GradientSearchSettings& Settings;
@@ -224,8 +235,9 @@ private:
 };
 }
 
-UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbability& target, const GradientSearchSettings& settings,
-  Communicator& communicator, const std::function<bool(const SearchState&)>& carryOn)
+UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbability& target,
+  const GradientSearchSettings& settings, Communicator& communicator,
+  const std::function<bool(const SearchState&)>& carryOn)
 {
   return Search(contents, target, settings, communicator, carryOn).Run();
 }

@@ -34,25 +34,29 @@ struct UnitCell
 {
   SpherePack Pack; // centres in [0, edge)^3
   Window Box;
-  double Objective = 0.0; // F2 of `Pack`
+  double Objective = 0.0;      // F2 of `Pack`
   double StartObjective = 0.0; // F2 of the random start, its overlap removed
   PackOverlap Overlap;
   int Iterations = 0;
-  /** "Target objective", "Maximum iterations", "Converged", or "Stopped" when the caller ended the search. */
+  /** "Target objective", "Maximum iterations", "Converged", or "Stopped" when the caller ended the
+   * search. */
   std::string EndedBy;
   TwoPointProbability Probability;
-  /** Of every iteration. 0 is the random start, 1 has its overlap removed, the last is the cell returned. */
+  /** Of every iteration. 0 is the random start, 1 has its overlap removed, the last is the cell
+   * returned. */
   std::vector<SearchState> Convergence;
 };
 
 /**
- * Looks for the periodic cell with the given contents whose two-point probability is nearest to the target (equation 13),
- * without overlap (14): random centres, overlap pushed out, L-BFGS on F2 with an overlap penalty, and the last overlap
- * removed exactly.
+ * Looks for the periodic cell with the given contents whose two-point probability is nearest to the
+ * target (equation 13), without overlap (14): random centres, overlap pushed out, L-BFGS on F2 with
+ * an overlap penalty, and the last overlap removed exactly.
  *
- * Collective; every rank returns the same bits, whatever the number of ranks and threads. `carryOn` is asked on every
- * rank in every iteration; when it returns false on any, the search ends with the best cell so far.
+ * Collective; every rank returns the same bits, whatever the number of ranks and threads. `carryOn`
+ * is asked on every rank in every iteration; when it returns false on any, the search ends with the
+ * best cell so far.
  */
-UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbability& target, const GradientSearchSettings& settings,
-  Communicator& communicator, const std::function<bool(const SearchState&)>& carryOn);
+UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbability& target,
+  const GradientSearchSettings& settings, Communicator& communicator,
+  const std::function<bool(const SearchState&)>& carryOn);
 }

@@ -17,8 +17,9 @@ struct MinimiserSettings
 /**
  * Minimises a function with L-BFGS (liblbfgs, which keeps its vectors as it is told here).
  *
- * `evaluate(x, gradient)` returns the value and fills the gradient. `progress(x, value, iteration)` is called after every
- * iteration and ends the minimisation when it returns false. `x` holds the last iterate at the end. Returns the number of iterations.
+ * `evaluate(x, gradient)` returns the value and fills the gradient. `progress(x, value, iteration)`
+ * is called after every iteration and ends the minimisation when it returns false. `x` holds the
+ * last iterate at the end. Returns the number of iterations.
  */
 int Minimise(std::vector<double>& x, const MinimiserSettings& settings,
   const std::function<double(const double* x, double* gradient)>& evaluate,

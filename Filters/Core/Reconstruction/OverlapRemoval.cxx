@@ -16,7 +16,8 @@ namespace ruc
 {
 namespace
 {
-// Calls visit(i, j, dx, dy, dz, d) for every pair, as places in the pack, whose centres are closer than reach x (a + b)
+// Calls visit(i, j, dx, dy, dz, d) for every pair, as places in the pack, whose centres are closer
+// than reach x (a + b)
 template <class Visit>
 void ForEachContact(const SpherePack& pack, const Window& window, double reach, Visit&& visit)
 {
@@ -29,7 +30,8 @@ void ForEachContact(const SpherePack& pack, const Window& window, double reach, 
     {
       for (std::size_t j = range.Begin; j < range.End; ++j)
       {
-        const double dx = cells.X[j] - range.X, dy = cells.Y[j] - range.Y, dz = cells.Z[j] - range.Z;
+        const double dx = cells.X[j] - range.X, dy = cells.Y[j] - range.Y,
+                     dz = cells.Z[j] - range.Z;
         const double d2 = dx * dx + dy * dy + dz * dz;
         const std::size_t p = cells.Index[i], q = cells.Index[j];
         const double contact = reach * (pack.Radius[p] + pack.Radius[q]);
@@ -64,31 +66,35 @@ PackOverlap MeasureOverlap(const SpherePack& pack, const Window& window)
   {
     total += SphereVolume(radius);
   }
-  // A sphere of the pack shares less than its own volume with each of its neighbours; in fixed point the sum is the same
-  // in whatever order the cells give the pairs.
+  // A sphere of the pack shares less than its own volume with each of its neighbours; in fixed
+  // point the sum is the same in whatever order the cells give the pairs.
   const double scale = std::ldexp(1.0, 50 - std::ilogb(total));
   std::int64_t shared = 0;
-  ForEachContact(wrapped, window, 1.01, [&](std::size_t i, std::size_t j, double, double, double, double d)
-  {
-    const double contact = wrapped.Radius[i] + wrapped.Radius[j];
-    overlap.Deepest = std::max(overlap.Deepest, (contact - d) / contact);
-    if (d < contact)
+  ForEachContact(wrapped, window, 1.01,
+    [&](std::size_t i, std::size_t j, double, double, double, double d)
     {
-      ++overlap.Pairs;
-      shared += RoundToFixedPoint(scale * LensVolume(wrapped.Radius[i], wrapped.Radius[j], d));
-    }
-  });
+      const double contact = wrapped.Radius[i] + wrapped.Radius[j];
+      overlap.Deepest = std::max(overlap.Deepest, (contact - d) / contact);
+      if (d < contact)
+      {
+        ++overlap.Pairs;
+        shared += RoundToFixedPoint(scale * LensVolume(wrapped.Radius[i], wrapped.Radius[j], d));
+      }
+    });
   overlap.Percent = shared / scale / total * 100.0;
   return overlap;
 }
 
-bool RemoveOverlap(SpherePack& pack, const Window& box, std::uint32_t seed, const std::function<bool()>& carryOn)
+bool RemoveOverlap(
+  SpherePack& pack, const Window& box, std::uint32_t seed, const std::function<bool()>& carryOn)
 {
   WrapIntoBox(pack, box);
-  // Enlarged contacts end the search at a point where the true ones are free; near jamming there is room for less
+  // Enlarged contacts end the search at a point where the true ones are free; near jamming there is
+  // room for less
   constexpr double Enlargements[] = { 1e-4, 1e-5, 1e-6, 1e-4, 1e-5, 1e-6, 1e-5, 1e-6, 1e-5, 1e-6 };
   constexpr int MaximumIterations = 4000;
-  const double smallest = pack.Empty() ? 0.0 : *std::min_element(pack.Radius.begin(), pack.Radius.end());
+  const double smallest =
+    pack.Empty() ? 0.0 : *std::min_element(pack.Radius.begin(), pack.Radius.end());
   bool stopped = false;
   std::uint32_t attempt = 0;
   for (double enlargement : Enlargements)

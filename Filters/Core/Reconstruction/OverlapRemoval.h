@@ -15,7 +15,8 @@ struct PackOverlap
   /** Total lens volume of all pairs / total volume of the spheres x 100. */
   double Percent = 0.0;
   std::int64_t Pairs = 0;
-  /** Largest (a + b - d) / (a + b) of all pairs; < 0 where nothing touches, -1 without neighbours. */
+  /** Largest (a + b - d) / (a + b) of all pairs; < 0 where nothing touches, -1 without neighbours.
+   */
   double Deepest = -1.0;
 
   /** Every pair has d >= (a + b)(1 - 1e-12). */
@@ -26,12 +27,13 @@ struct PackOverlap
 PackOverlap MeasureOverlap(const SpherePack& pack, const Window& window);
 
 /**
- * Moves the centres of a pack in a periodic box apart until no two spheres overlap, by minimising the sum of
- * (a + b - d)+^2 with L-BFGS, the radii a little enlarged so that the minimum is reached with room to spare. A pack that
- * jams is shaken (seeded, reproducible) and tried again.
+ * Moves the centres of a pack in a periodic box apart until no two spheres overlap, by minimising
+ * the sum of (a + b - d)+^2 with L-BFGS, the radii a little enlarged so that the minimum is reached
+ * with room to spare. A pack that jams is shaken (seeded, reproducible) and tried again.
  *
- * Returns whether nothing overlaps (PackOverlap::IsNone). `carryOn` is called every few steps and stops the work when it
- * returns false; what is reached by then stays in `pack`.
+ * Returns whether nothing overlaps (PackOverlap::IsNone). `carryOn` is called every few steps and
+ * stops the work when it returns false; what is reached by then stays in `pack`.
  */
-bool RemoveOverlap(SpherePack& pack, const Window& box, std::uint32_t seed, const std::function<bool()>& carryOn);
+bool RemoveOverlap(
+  SpherePack& pack, const Window& box, std::uint32_t seed, const std::function<bool()>& carryOn);
 }

@@ -9,8 +9,8 @@
 namespace ruc
 {
 /**
- * Volume fractions c_r of the modes 1…N_p and, last, of the matrix: the volume of the spheres with centres in the window over
- * that of the window, c_m = 1 - sum c_r. The pack in canonical order.
+ * Volume fractions c_r of the modes 1…N_p and, last, of the matrix: the volume of the spheres with
+ * centres in the window over that of the window, c_m = 1 - sum c_r. The pack in canonical order.
  */
 std::vector<double> OnePointProbability(const SpherePack& pack, const Window& window);
 }

@@ -7,7 +7,8 @@
 
 namespace ruc
 {
-PairHistogram::PairHistogram(std::vector<SphereType> types, const LagGrid& lags, const KnotResolution& resolution)
+PairHistogram::PairHistogram(
+  std::vector<SphereType> types, const LagGrid& lags, const KnotResolution& resolution)
   : Types(std::move(types))
 {
   const int count = this->NumberOfTypes();
@@ -23,7 +24,8 @@ PairHistogram::PairHistogram(std::vector<SphereType> types, const LagGrid& lags,
   {
     for (int q = p; q < count; ++q)
     {
-      this->Kernels.emplace_back(this->Types[p].Radius, this->Types[q].Radius, lags, this->Cutoff, resolution);
+      this->Kernels.emplace_back(
+        this->Types[p].Radius, this->Types[q].Radius, lags, this->Cutoff, resolution);
       const PairKernel& kernel = this->Kernels.back();
       for (int place : { p * count + q, q * count + p })
       {
@@ -44,13 +46,15 @@ double PairHistogram::EstimateSize(const std::vector<SphereType>& types, const L
     for (const SphereType& b : types)
     {
       const double spacing = PairKernel::KnotSpacing(std::min(a.Radius, b.Radius), lags);
-      numbers += (lags.Maximum() + a.Radius + b.Radius) / spacing; // half of two numbers a knot: classes are unordered
+      numbers += (lags.Maximum() + a.Radius + b.Radius) /
+        spacing; // half of two numbers a knot: classes are unordered
     }
   }
   return numbers;
 }
 
-double PairHistogram::FixedPointScale(std::int64_t spheres, std::int64_t mostNeighbours, double heaviest)
+double PairHistogram::FixedPointScale(
+  std::int64_t spheres, std::int64_t mostNeighbours, double heaviest)
 {
   const double most = heaviest * static_cast<double>(spheres) * static_cast<double>(mostNeighbours);
   return std::ldexp(1.0, std::min(61 - std::ilogb(most), 49 - std::ilogb(heaviest)));

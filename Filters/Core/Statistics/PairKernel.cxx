@@ -13,7 +13,8 @@ namespace ruc
 namespace
 {
 RUC_VECTOR_CLONES
-void Accumulate(int count, double alpha, const double* moment, double beta, const double* slope, int step, double* sums)
+void Accumulate(int count, double alpha, const double* moment, double beta, const double* slope,
+  int step, double* sums)
 {
   if (step > 0)
   {
@@ -31,9 +32,11 @@ void Accumulate(int count, double alpha, const double* moment, double beta, cons
   }
 }
 
-// Adds two scalar products, each in eight interleaved partial sums so that the order is the same on every machine
+// Adds two scalar products, each in eight interleaved partial sums so that the order is the same on
+// every machine
 RUC_VECTOR_CLONES
-void Project(int count, const double* lambda, const double* moment, const double* slope, int step, double* products)
+void Project(int count, const double* lambda, const double* moment, const double* slope, int step,
+  double* products)
 {
   constexpr int Lanes = 8;
   double m[Lanes] = {};
@@ -63,14 +66,17 @@ void Project(int count, const double* lambda, const double* moment, const double
 }
 }
 
-double PairKernel::KnotSpacing(double smallerRadius, const LagGrid& lags, const KnotResolution& resolution)
+double PairKernel::KnotSpacing(
+  double smallerRadius, const LagGrid& lags, const KnotResolution& resolution)
 {
   const double finest = resolution.Finest * smallerRadius;
-  return lags.Spacing < finest ? lags.Spacing * std::floor(finest / lags.Spacing)
-                               : lags.Spacing / std::ceil(lags.Spacing / (resolution.Coarsest * smallerRadius));
+  return lags.Spacing < finest
+    ? lags.Spacing * std::floor(finest / lags.Spacing)
+    : lags.Spacing / std::ceil(lags.Spacing / (resolution.Coarsest * smallerRadius));
 }
 
-PairKernel::PairKernel(double a, double b, const LagGrid& lags, double cutoff, const KnotResolution& resolution)
+PairKernel::PairKernel(
+  double a, double b, const LagGrid& lags, double cutoff, const KnotResolution& resolution)
   : Spacing(KnotSpacing(std::min(a, b), lags, resolution))
   , Lags(lags)
   , RadiusA(a)
@@ -107,7 +113,8 @@ PairKernel::PairKernel(double a, double b, const LagGrid& lags, double cutoff, c
 
 PairKernel::Factors PairKernel::FactorsOf(double d) const
 {
-  // Closer to 0 the quotients below lose more digits than the limit's own error: 2 r g -> 2 r V_ab(r) = 2 dh/dt at t = -r
+  // Closer to 0 the quotients below lose more digits than the limit's own error: 2 r g -> 2 r
+  // V_ab(r) = 2 dh/dt at t = -r
   if (std::abs(d) < 1e-5 * std::min(this->RadiusA, this->RadiusB))
   {
     return { 0.0, 2.0 / this->Spacing, 0.0, 0.0, false };

@@ -13,7 +13,8 @@ namespace ruc
 {
 namespace
 {
-// Part of a range of centres; distances and weights are found in vector registers before the histogram is touched
+// Part of a range of centres; distances and weights are found in vector registers before the
+// histogram is touched
 constexpr std::size_t ChunkSize = 256;
 
 struct Chunk
@@ -40,9 +41,11 @@ void FindDistances(Chunk& chunk, double x, double y, double z)
   }
 }
 
-// The set covariance of a box is the product of (edge - loss x |displacement|); loss is 0 along a periodic axis.
+// The set covariance of a box is the product of (edge - loss x |displacement|); loss is 0 along a
+// periodic axis.
 RUC_VECTOR_CLONES
-void WeighByBox(Chunk& chunk, double x, double y, double z, const double* edge, const double* loss, double numerator)
+void WeighByBox(Chunk& chunk, double x, double y, double z, const double* edge, const double* loss,
+  double numerator)
 {
   const double *cx = chunk.X, *cy = chunk.Y, *cz = chunk.Z;
   const double ex = edge[0], ey = edge[1], ez = edge[2];
@@ -52,7 +55,8 @@ void WeighByBox(Chunk& chunk, double x, double y, double z, const double* edge, 
   for (int k = 0; k < size; ++k)
   {
     chunk.Weight[k] = numerator /
-      ((ex - lx * std::abs(cx[k] - x)) * (ey - ly * std::abs(cy[k] - y)) * (ez - lz * std::abs(cz[k] - z)));
+      ((ex - lx * std::abs(cx[k] - x)) * (ey - ly * std::abs(cy[k] - y)) *
+        (ez - lz * std::abs(cz[k] - z)));
   }
 }
 
@@ -69,7 +73,8 @@ using FourIntegers = std::int64_t __attribute__((vector_size(32)));
   std::memcpy(sums, &now, sizeof(now));
 }
 
-[[gnu::always_inline]] inline std::size_t KeepCloserThan(double cutoff, const Chunk& chunk, std::uint16_t* kept)
+[[gnu::always_inline]] inline std::size_t KeepCloserThan(
+  double cutoff, const Chunk& chunk, std::uint16_t* kept)
 {
   std::size_t number = 0;
   for (std::size_t k = 0; k < chunk.Size; ++k)
@@ -81,7 +86,8 @@ using FourIntegers = std::int64_t __attribute__((vector_size(32)));
 }
 
 RUC_VECTOR_CLONES
-void AddToHistogram(const Chunk& chunk, double cutoff, const PairHistogram::Lookup* lookups, std::int64_t* histogram)
+void AddToHistogram(
+  const Chunk& chunk, double cutoff, const PairHistogram::Lookup* lookups, std::int64_t* histogram)
 {
   std::uint16_t kept[ChunkSize];
   const std::size_t number = KeepCloserThan(cutoff, chunk, kept);
@@ -103,12 +109,14 @@ void AddToHistogram(const Chunk& chunk, double cutoff, const PairHistogram::Look
 }
 }
 
-void CountPairs(const PairHistogram& classes, const CellList& cells, const std::vector<std::int32_t>& types, const Window& window,
-  double scale, std::size_t begin, std::size_t end, std::int64_t* histogram)
+void CountPairs(const PairHistogram& classes, const CellList& cells,
+  const std::vector<std::int32_t>& types, const Window& window, double scale, std::size_t begin,
+  std::size_t end, std::int64_t* histogram)
 {
   const bool cylinder = window.GetShape() == Window::Shape::Cylinder;
   const double numerator = scale * window.Volume();
-  const double loss[3] = { window.Periodic[0] ? 0.0 : 1.0, window.Periodic[1] ? 0.0 : 1.0, window.Periodic[2] ? 0.0 : 1.0 };
+  const double loss[3] = { window.Periodic[0] ? 0.0 : 1.0, window.Periodic[1] ? 0.0 : 1.0,
+    window.Periodic[2] ? 0.0 : 1.0 };
   const double cutoff = cells.GetCutoff();
   Chunk chunk;
   std::fill(std::begin(chunk.Weight), std::end(chunk.Weight), scale);
@@ -130,8 +138,9 @@ void CountPairs(const PairHistogram& classes, const CellList& cells, const std::
         {
           if (chunk.Distance[k] < cutoff)
           {
-            chunk.Weight[k] =
-              numerator / window.SetCovariance(chunk.X[k] - range.X, chunk.Y[k] - range.Y, chunk.Z[k] - range.Z);
+            chunk.Weight[k] = numerator /
+              window.SetCovariance(
+                chunk.X[k] - range.X, chunk.Y[k] - range.Y, chunk.Z[k] - range.Z);
           }
         }
         if (!cylinder && !window.IsFullyPeriodic())
@@ -144,7 +153,8 @@ void CountPairs(const PairHistogram& classes, const CellList& cells, const std::
   }
 }
 
-double FindSlopes(const PairHistogram& classes, const std::vector<double>& potential, std::vector<double>& slopes)
+double FindSlopes(
+  const PairHistogram& classes, const std::vector<double>& potential, std::vector<double>& slopes)
 {
   slopes.assign(2 * potential.size(), 0.0);
   double bound = 0.0;
@@ -169,8 +179,9 @@ namespace
 {
 // As AddToHistogram; `places` are the centres x, y, z, 0 of the chunk, `gradient` belongs to them
 RUC_VECTOR_CLONES
-void AddForces(const Chunk& chunk, double cutoff, const PairHistogram::Lookup* lookups, const double* slopes, double scale,
-  const double* centre, const double* places, std::int64_t* own, std::int64_t* gradient)
+void AddForces(const Chunk& chunk, double cutoff, const PairHistogram::Lookup* lookups,
+  const double* slopes, double scale, const double* centre, const double* places, std::int64_t* own,
+  std::int64_t* gradient)
 {
   std::uint16_t kept[ChunkSize];
   const std::size_t number = KeepCloserThan(cutoff, chunk, kept);
@@ -195,8 +206,9 @@ void AddForces(const Chunk& chunk, double cutoff, const PairHistogram::Lookup* l
 }
 }
 
-void AddPairForces(const PairHistogram& classes, const CellList& cells, const std::vector<std::int32_t>& types,
-  const std::vector<double>& slopes, double scale, std::size_t begin, std::size_t end, std::int64_t* gradient)
+void AddPairForces(const PairHistogram& classes, const CellList& cells,
+  const std::vector<std::int32_t>& types, const std::vector<double>& slopes, double scale,
+  std::size_t begin, std::size_t end, std::int64_t* gradient)
 {
   std::vector<double> places(4 * cells.Size(), 0.0);
   for (std::size_t j = 0; j < cells.Size(); ++j)
@@ -221,8 +233,8 @@ void AddPairForces(const PairHistogram& classes, const CellList& cells, const st
         chunk.Z = &cells.Z[from];
         chunk.Type = &types[from];
         FindDistances(chunk, range.X, range.Y, range.Z);
-        AddForces(chunk, cells.GetCutoff(), classes.LookupRow(types[i]), slopes.data(), scale, centre, &places[4 * from],
-          gradient + 4 * i, gradient + 4 * from);
+        AddForces(chunk, cells.GetCutoff(), classes.LookupRow(types[i]), slopes.data(), scale,
+          centre, &places[4 * from], gradient + 4 * i, gradient + 4 * from);
       }
     }
   }

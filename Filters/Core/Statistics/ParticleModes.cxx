@@ -42,7 +42,8 @@ std::vector<double> EqualVolumeEdges(const std::vector<double>& diameters, int m
   {
     // A sphere belongs to the share in which the middle of its volume lies
     const double volume = diameters[i] * diameters[i] * diameters[i];
-    if (below + 0.5 * volume >= total * (edges.size() + 1) / modes && static_cast<int>(edges.size()) + 1 < modes)
+    if (below + 0.5 * volume >= total * (edges.size() + 1) / modes &&
+      static_cast<int>(edges.size()) + 1 < modes)
     {
       edges.push_back(diameters[i]);
     }
@@ -51,11 +52,12 @@ std::vector<double> EqualVolumeEdges(const std::vector<double>& diameters, int m
   return edges;
 }
 
-std::vector<double> GivenEdges(const std::vector<double>& diameters, const std::vector<double>& edges)
+std::vector<double> GivenEdges(
+  const std::vector<double>& diameters, const std::vector<double>& edges)
 {
   // written so that an edge that is no number fails
-  const bool ascending =
-    std::adjacent_find(edges.begin(), edges.end(), [](double a, double b) { return !(a < b); }) == edges.end();
+  const bool ascending = std::adjacent_find(edges.begin(), edges.end(),
+                           [](double a, double b) { return !(a < b); }) == edges.end();
   if (edges.size() < 2 || !ascending || !(edges.front() >= 0.0) || !std::isfinite(edges.back()))
   {
     std::string got;
@@ -64,13 +66,14 @@ std::vector<double> GivenEdges(const std::vector<double>& diameters, const std::
       got += Text(got.empty() ? "" : " ", edge);
     }
     throw std::invalid_argument(
-      Text("Edges requires two or more ascending finite diameters >= 0, got ", got.empty() ? "none" : got, "."));
+      Text("Edges requires two or more ascending finite diameters >= 0, got ",
+        got.empty() ? "none" : got, "."));
   }
   if (diameters.front() < edges.front() || diameters.back() > edges.back())
   {
-    throw std::invalid_argument(Text("Edges requires every diameter between its first and last, ", edges.front(), " and ",
-      edges.back(), ", got diameters from ", diameters.front(), " to ", diameters.back(),
-      " (MinimumDiameter leaves small spheres out)."));
+    throw std::invalid_argument(Text("Edges requires every diameter between its first and last, ",
+      edges.front(), " and ", edges.back(), ", got diameters from ", diameters.front(), " to ",
+      diameters.back(), " (MinimumDiameter leaves small spheres out)."));
   }
   return { edges.begin() + 1, edges.end() - 1 };
 }
@@ -88,8 +91,8 @@ std::vector<double> SizeEdges(const std::vector<double>& diameters)
     }
     if (edges.size() >= static_cast<std::size_t>(MostModes))
     {
-      throw std::invalid_argument(
-        Text("Method 'One Per Size' requires at most ", MostModes, " distinct diameters, got more."));
+      throw std::invalid_argument(Text(
+        "Method 'One Per Size' requires at most ", MostModes, " distinct diameters, got more."));
     }
   }
   return edges;
@@ -101,31 +104,39 @@ ParticleModes::ParticleModes(std::vector<double> diameters, const ModeSettings& 
 {
   if (!(settings.MinimumDiameter >= 0.0 && std::isfinite(settings.MinimumDiameter)))
   {
-    throw std::invalid_argument(Text("MinimumDiameter requires a finite number >= 0, got ", settings.MinimumDiameter, "."));
+    throw std::invalid_argument(
+      Text("MinimumDiameter requires a finite number >= 0, got ", settings.MinimumDiameter, "."));
   }
-  const bool counted = settings.Method == ModeMethod::EqualWidth || settings.Method == ModeMethod::EqualVolume;
+  const bool counted =
+    settings.Method == ModeMethod::EqualWidth || settings.Method == ModeMethod::EqualVolume;
   if (counted && (settings.NumberOfModes < 1 || settings.NumberOfModes > MostModes))
   {
-    throw std::invalid_argument(
-      Text("NumberOfModes requires 1 <= NumberOfModes <= ", MostModes, ", got ", settings.NumberOfModes, "."));
+    throw std::invalid_argument(Text("NumberOfModes requires 1 <= NumberOfModes <= ", MostModes,
+      ", got ", settings.NumberOfModes, "."));
   }
   if (settings.Edges.size() > MostModes + 1u)
   {
-    throw std::invalid_argument(Text("Edges requires at most ", MostModes + 1, " diameters, got ", settings.Edges.size(), "."));
+    throw std::invalid_argument(Text(
+      "Edges requires at most ", MostModes + 1, " diameters, got ", settings.Edges.size(), "."));
   }
-  const double largest = diameters.empty() ? 0.0 : *std::max_element(diameters.begin(), diameters.end());
-  diameters.erase(std::remove_if(diameters.begin(), diameters.end(), [&](double d) { return d < this->MinimumDiameter; }),
+  const double largest =
+    diameters.empty() ? 0.0 : *std::max_element(diameters.begin(), diameters.end());
+  diameters.erase(std::remove_if(diameters.begin(), diameters.end(),
+                    [&](double d) { return d < this->MinimumDiameter; }),
     diameters.end());
   if (diameters.empty())
   {
-    throw std::invalid_argument(Text("MinimumDiameter requires a value that leaves at least one sphere, got ",
-      settings.MinimumDiameter, " with diameters up to ", largest, "."));
+    throw std::invalid_argument(
+      Text("MinimumDiameter requires a value that leaves at least one sphere, got ",
+        settings.MinimumDiameter, " with diameters up to ", largest, "."));
   }
   std::sort(diameters.begin(), diameters.end());
-  std::vector<double> edges = settings.Method == ModeMethod::EqualWidth ? EqualWidthEdges(diameters, settings.NumberOfModes)
-    : settings.Method == ModeMethod::EqualVolume                       ? EqualVolumeEdges(diameters, settings.NumberOfModes)
-    : settings.Method == ModeMethod::ExplicitEdges                     ? GivenEdges(diameters, settings.Edges)
-                                                                       : SizeEdges(diameters);
+  std::vector<double> edges = settings.Method == ModeMethod::EqualWidth
+    ? EqualWidthEdges(diameters, settings.NumberOfModes)
+    : settings.Method == ModeMethod::EqualVolume
+    ? EqualVolumeEdges(diameters, settings.NumberOfModes)
+    : settings.Method == ModeMethod::ExplicitEdges ? GivenEdges(diameters, settings.Edges)
+                                                   : SizeEdges(diameters);
   edges.push_back(INFINITY);
   auto begin = diameters.begin();
   for (double edge : edges)
@@ -147,7 +158,8 @@ ParticleModes::ParticleModes(std::vector<double> diameters, const ModeSettings& 
     {
       summary.Volume += SphereVolume(0.5 * *d);
     }
-    summary.VolumeMeanDiameter = 2.0 * std::cbrt(summary.Volume / summary.Count / SphereVolume(1.0));
+    summary.VolumeMeanDiameter =
+      2.0 * std::cbrt(summary.Volume / summary.Count / SphereVolume(1.0));
     this->Summaries.push_back(summary);
     begin = end;
   }
@@ -155,8 +167,10 @@ ParticleModes::ParticleModes(std::vector<double> diameters, const ModeSettings& 
 
 int ParticleModes::ModeOf(double diameter) const
 {
-  return diameter < this->MinimumDiameter
-    ? 0
-    : 1 + static_cast<int>(std::upper_bound(this->LowerEdges.begin(), this->LowerEdges.end(), diameter) - this->LowerEdges.begin());
+  return diameter < this->MinimumDiameter ? 0
+                                          : 1 +
+      static_cast<int>(
+        std::upper_bound(this->LowerEdges.begin(), this->LowerEdges.end(), diameter) -
+        this->LowerEdges.begin());
 }
 }

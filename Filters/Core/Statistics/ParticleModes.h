@@ -18,12 +18,13 @@ enum class ModeMethod
 struct ModeSettings
 {
   ModeMethod Method = ModeMethod::EqualWidth;
-  int NumberOfModes = 9;          // for EqualWidth and EqualVolume, 1 to MostModes
-  std::vector<double> Edges;      // for ExplicitEdges: ascending diameters > 0, two at the least
-  double MinimumDiameter = 0.0;   // smaller spheres belong to no mode and are left out
+  int NumberOfModes = 9;        // for EqualWidth and EqualVolume, 1 to MostModes
+  std::vector<double> Edges;    // for ExplicitEdges: ascending diameters > 0, two at the least
+  double MinimumDiameter = 0.0; // smaller spheres belong to no mode and are left out
 };
 
-/** The statistics hold N (N + 1) / 2 functions for N phases; more modes than this ask for too much memory. */
+/** The statistics hold N (N + 1) / 2 functions for N phases; more modes than this ask for too much
+ * memory. */
 constexpr int MostModes = 256;
 
 /** The spheres of one mode. */
@@ -40,8 +41,9 @@ class ParticleModes
 {
 public:
   /**
-   * Finds the modes of the pack with these diameters. Modes that would be empty are left out and the others numbered
-   * through. Throws std::invalid_argument for settings out of range and for diameters that the explicit edges leave out.
+   * Finds the modes of the pack with these diameters. Modes that would be empty are left out and
+   * the others numbered through. Throws std::invalid_argument for settings out of range and for
+   * diameters that the explicit edges leave out.
    */
   ParticleModes(std::vector<double> diameters, const ModeSettings& settings);
 

@@ -23,23 +23,27 @@ std::vector<double> Gradient(const std::vector<double>& values, double spacing)
   else
   {
     gradient[0] = (-3.0 * values[0] + 4.0 * values[1] - values[2]) / (2.0 * spacing);
-    gradient[last] = (3.0 * values[last] - 4.0 * values[last - 1] + values[last - 2]) / (2.0 * spacing);
+    gradient[last] =
+      (3.0 * values[last] - 4.0 * values[last - 1] + values[last - 2]) / (2.0 * spacing);
   }
   return gradient;
 }
 
-double SaturationLength(const std::vector<double>& values, double spacing, double limit, double tolerance, double length)
+double SaturationLength(
+  const std::vector<double>& values, double spacing, double limit, double tolerance, double length)
 {
   const std::vector<double> gradient = Gradient(values, spacing);
   std::size_t from = values.size();
-  while (from > 0 && std::abs(values[from - 1] - limit) <= tolerance && length * std::abs(gradient[from - 1]) <= tolerance)
+  while (from > 0 && std::abs(values[from - 1] - limit) <= tolerance &&
+    length * std::abs(gradient[from - 1]) <= tolerance)
   {
     --from;
   }
   return from < values.size() ? from * spacing : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<TwoPointCheck> CheckTwoPointProbability(const TwoPointProbability& probability, double tolerance, double length)
+std::vector<TwoPointCheck> CheckTwoPointProbability(
+  const TwoPointProbability& probability, double tolerance, double length)
 {
   std::vector<TwoPointCheck> checks;
   for (int r = 0; r < probability.Phases(); ++r)
@@ -52,7 +56,8 @@ std::vector<TwoPointCheck> CheckTwoPointProbability(const TwoPointProbability& p
       check.ErrorAtZero = std::abs(values.front() - (r == s ? probability.Fractions[r] : 0.0));
       check.ErrorAtInfinity = std::abs(values.back() - check.Limit);
       check.Asymmetry = 0.0;
-      check.SaturationLength = SaturationLength(values, probability.Lags.Spacing, check.Limit, tolerance, length);
+      check.SaturationLength =
+        SaturationLength(values, probability.Lags.Spacing, check.Limit, tolerance, length);
       checks.push_back(check);
     }
   }

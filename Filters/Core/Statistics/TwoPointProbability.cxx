@@ -83,7 +83,8 @@ double TwoPointDifference(const TwoPointProbability& a, const TwoPointProbabilit
   {
     for (int s = r; s < a.Phases(); ++s)
     {
-      std::transform(a.S(r, s).begin(), a.S(r, s).end(), b.S(r, s).begin(), difference.begin(), std::minus<>());
+      std::transform(
+        a.S(r, s).begin(), a.S(r, s).end(), b.S(r, s).begin(), difference.begin(), std::minus<>());
       total += (r == s ? 1.0 : 2.0) * DiscreteNorm(difference);
     }
   }
@@ -93,16 +94,19 @@ double TwoPointDifference(const TwoPointProbability& a, const TwoPointProbabilit
 namespace
 {
 constexpr std::size_t ChunkOfCentres = 64;
-// With more types than this, or a histogram larger than fits a cache, tables for all pairs of types no longer pay
+// With more types than this, or a histogram larger than fits a cache, tables for all pairs of types
+// no longer pay
 constexpr std::size_t MostTypes = 256;
 constexpr double LargestHistogram = 1 << 21;
 
-// A lower bound of the set covariance over all displacements of a length up to `reach`. The cube root of the set covariance
-// of a convex window is concave, so its least value over a polytope is at a corner; this one holds the ball: no component
-// above reach, no two together above sqrt(2) reach, no three above sqrt(3) reach.
+// A lower bound of the set covariance over all displacements of a length up to `reach`. The cube
+// root of the set covariance of a convex window is concave, so its least value over a polytope is
+// at a corner; this one holds the ball: no component above reach, no two together above sqrt(2)
+// reach, no three above sqrt(3) reach.
 double LeastSetCovariance(const Window& window, double reach)
 {
-  const double steps[3] = { reach, (std::sqrt(2.0) - 1.0) * reach, (std::sqrt(3.0) - std::sqrt(2.0)) * reach };
+  const double steps[3] = { reach, (std::sqrt(2.0) - 1.0) * reach,
+    (std::sqrt(3.0) - std::sqrt(2.0)) * reach };
   double least = window.Volume();
   if (window.GetShape() == Window::Shape::Cylinder)
   {
@@ -113,14 +117,16 @@ double LeastSetCovariance(const Window& window, double reach)
     for (int along : { 0, 1 })
     {
       const double x = steps[along], y = steps[1 - along] / length;
-      least = std::min(least, window.SetCovariance(x * a[0] + y * b[0], x * a[1] + y * b[1], x * a[2] + y * b[2]));
+      least = std::min(
+        least, window.SetCovariance(x * a[0] + y * b[0], x * a[1] + y * b[1], x * a[2] + y * b[2]));
     }
     return least;
   }
   int order[3] = { 0, 1, 2 };
   do
   {
-    least = std::min(least, window.SetCovariance(steps[order[0]], steps[order[1]], steps[order[2]]));
+    least =
+      std::min(least, window.SetCovariance(steps[order[0]], steps[order[1]], steps[order[2]]));
   } while (std::next_permutation(order, order + 3));
   return least;
 }
@@ -148,7 +154,8 @@ public:
   virtual std::size_t SumsSize() const = 0;
   virtual void AddChunk(std::size_t begin, std::size_t end, std::int64_t* sums) const = 0;
   // S_rs x V of the pairs i != j
-  virtual void AddPairs(const std::vector<std::int64_t>& sums, TwoPointProbability& result) const = 0;
+  virtual void AddPairs(
+    const std::vector<std::int64_t>& sums, TwoPointProbability& result) const = 0;
 
   void MakeCells(double cutoff)
   {
@@ -212,7 +219,8 @@ public:
     , Histogram(this->Types, lags)
   {
     this->MakeCells(this->Histogram.GetCutoff());
-    this->Scale = PairHistogram::FixedPointScale(pack.Size(), this->Cells->MostNeighbours(), this->HeaviestPair);
+    this->Scale = PairHistogram::FixedPointScale(
+      pack.Size(), this->Cells->MostNeighbours(), this->HeaviestPair);
     for (std::uint32_t i : this->Cells->Index)
     {
       this->TypeOfPlace.push_back(static_cast<std::int32_t>(this->TypeOf(i)));
@@ -223,7 +231,8 @@ public:
 
   void AddChunk(std::size_t begin, std::size_t end, std::int64_t* sums) const override
   {
-    CountPairs(this->Histogram, *this->Cells, this->TypeOfPlace, this->Observed, this->Scale, begin, end, sums);
+    CountPairs(this->Histogram, *this->Cells, this->TypeOfPlace, this->Observed, this->Scale, begin,
+      end, sums);
   }
 
   void AddPairs(const std::vector<std::int64_t>& sums, TwoPointProbability& result) const override
@@ -236,7 +245,8 @@ public:
       // Within a mode both orders of a pair count.
       const double factor = (r == s ? 2.0 : 1.0) / this->Scale;
       std::vector<double> weights(kernel.Size());
-      std::transform(sums.begin() + this->Histogram.Begin(c), sums.begin() + this->Histogram.Begin(c + 1), weights.begin(),
+      std::transform(sums.begin() + this->Histogram.Begin(c),
+        sums.begin() + this->Histogram.Begin(c + 1), weights.begin(),
         [&](std::int64_t sum) { return factor * sum; });
       kernel.AddOverlap(weights.data(), result.S(r, s).data());
     }
@@ -250,9 +260,11 @@ private:
 
 namespace
 {
-// Adds factor x h_ab(d - r_k) or, for overlapping spheres, factor x [h_ab(d - r_k) - h_ab(d + r_k)], k = 1…K
+// Adds factor x h_ab(d - r_k) or, for overlapping spheres, factor x [h_ab(d - r_k) - h_ab(d +
+// r_k)], k = 1…K
 RUC_VECTOR_CLONES
-void AddOverlapMoments(double a, double b, double d, double factor, const LagGrid& lags, double* sums)
+void AddOverlapMoments(
+  double a, double b, double d, double factor, const LagGrid& lags, double* sums)
 {
   const double contact = a + b;
   const double difference = std::abs(a - b);
@@ -267,7 +279,8 @@ void AddOverlapMoments(double a, double b, double d, double factor, const LagGri
       const double u = std::max(contact - t, 0.0);
       const double v = std::max(difference - t, 0.0);
       sums[k] += sign *
-        (u * u * u * (product - contact * u + 0.2 * u * u) + v * v * v * (product + difference * v - 0.2 * v * v));
+        (u * u * u * (product - contact * u + 0.2 * u * u) +
+          v * v * v * (product + difference * v - 0.2 * v * v));
     }
   };
   const double scaled = factor * 3.14159265358979323846 / 12.0;
@@ -288,15 +301,18 @@ public:
     , Pairs(pack.NumberOfModes(), lags)
   {
     this->MakeCells(lags.Maximum() + 2.0 * pack.LargestRadius());
-    // A chunk adds one number for each pair of phases and lag: in units of the largest sphere's volume, which no overlap
-    // exceeds, at most twice the weight of all its pairs.
+    // A chunk adds one number for each pair of phases and lag: in units of the largest sphere's
+    // volume, which no overlap exceeds, at most twice the weight of all its pairs.
     const std::int64_t chunks = static_cast<std::int64_t>(pack.Size() / ChunkOfCentres) + 1;
     this->Unit = SphereVolume(pack.LargestRadius());
-    this->Scale =
-      PairHistogram::FixedPointScale(chunks, 1, 2.0 * ChunkOfCentres * this->Cells->MostNeighbours() * this->HeaviestPair);
+    this->Scale = PairHistogram::FixedPointScale(
+      chunks, 1, 2.0 * ChunkOfCentres * this->Cells->MostNeighbours() * this->HeaviestPair);
   }
 
-  std::size_t SumsSize() const override { return this->Pairs.Values.size() * (this->Lags.Count + 1); }
+  std::size_t SumsSize() const override
+  {
+    return this->Pairs.Values.size() * (this->Lags.Count + 1);
+  }
 
   void AddChunk(std::size_t begin, std::size_t end, std::int64_t* sums) const override
   {
@@ -312,7 +328,8 @@ public:
       {
         for (std::size_t j = range.Begin; j < range.End; ++j)
         {
-          const double dx = cells.X[j] - range.X, dy = cells.Y[j] - range.Y, dz = cells.Z[j] - range.Z;
+          const double dx = cells.X[j] - range.X, dy = cells.Y[j] - range.Y,
+                       dz = cells.Z[j] - range.Z;
           const double d = std::sqrt(dx * dx + dy * dy + dz * dz);
           const std::size_t second = cells.Index[j];
           const double a = this->Pack.Radius[first], b = this->Pack.Radius[second];
@@ -359,25 +376,29 @@ ExactPairSum::ExactPairSum(const SpherePack& pack, const Window& window, const L
   constexpr int MostLags = 100000;
   if (lags.Count < 1 || lags.Count > MostLags)
   {
-    throw std::invalid_argument(Text("NumberOfLags requires 1 <= NumberOfLags <= ", MostLags, ", got ", lags.Count, "."));
+    throw std::invalid_argument(
+      Text("NumberOfLags requires 1 <= NumberOfLags <= ", MostLags, ", got ", lags.Count, "."));
   }
   constexpr double mostNumbers = 5e7; // of all functions, 400 MB
   const double pairs = 0.5 * (pack.NumberOfModes() + 1.0) * (pack.NumberOfModes() + 2.0);
   if (pairs * (lags.Count + 1.0) > mostNumbers)
   {
-    throw std::invalid_argument(Text("NumberOfLags requires at most ", static_cast<int>(mostNumbers / pairs), " lags for ",
-      pack.NumberOfModes(), " modes, got ", lags.Count, "."));
+    throw std::invalid_argument(
+      Text("NumberOfLags requires at most ", static_cast<int>(mostNumbers / pairs), " lags for ",
+        pack.NumberOfModes(), " modes, got ", lags.Count, "."));
   }
   const double largest = LargestLag(pack, window);
   if (!(largest > 0.0))
   {
-    throw std::invalid_argument(Text("The window requires edges longer than the largest sphere's diameter, ",
-      2.0 * pack.LargestRadius(), ", got a ", window.Describe(), "."));
+    throw std::invalid_argument(
+      Text("The window requires edges longer than the largest sphere's diameter, ",
+        2.0 * pack.LargestRadius(), ", got a ", window.Describe(), "."));
   }
   if (!(lags.Maximum() > 0.0 && lags.Maximum() <= largest * (1.0 + 1e-12)))
   {
-    throw std::invalid_argument(Text("MaximumLag requires 0 < MaximumLag <= ", largest, " for this ", window.Describe(),
-      " and spheres of up to ", 2.0 * pack.LargestRadius(), " diameter, got ", lags.Maximum(), "."));
+    throw std::invalid_argument(Text("MaximumLag requires 0 < MaximumLag <= ", largest,
+      " for this ", window.Describe(), " and spheres of up to ", 2.0 * pack.LargestRadius(),
+      " diameter, got ", lags.Maximum(), "."));
   }
   std::vector<SphereType> types;
   for (std::size_t i = 0; i < pack.Size(); ++i)
@@ -414,8 +435,8 @@ std::size_t ExactPairSum::SumsSize() const
   return this->Sum->SumsSize();
 }
 
-void ExactPairSum::AddChunks(
-  std::size_t first, std::size_t stride, std::int64_t* sums, const std::function<void(double)>& progress) const
+void ExactPairSum::AddChunks(std::size_t first, std::size_t stride, std::int64_t* sums,
+  const std::function<void(double)>& progress) const
 {
   const std::int64_t chunks = static_cast<std::int64_t>(this->NumberOfChunks());
   const std::size_t centres = this->Sum->Cells->Size();
@@ -423,9 +444,11 @@ void ExactPairSum::AddChunks(
   {
     std::vector<std::int64_t> own(this->SumsSize(), 0);
 #pragma omp for schedule(dynamic) nowait
-    for (std::int64_t chunk = static_cast<std::int64_t>(first); chunk < chunks; chunk += static_cast<std::int64_t>(stride))
+    for (std::int64_t chunk = static_cast<std::int64_t>(first); chunk < chunks;
+         chunk += static_cast<std::int64_t>(stride))
     {
-      this->Sum->AddChunk(chunk * ChunkOfCentres, std::min((chunk + 1) * ChunkOfCentres, centres), own.data());
+      this->Sum->AddChunk(
+        chunk * ChunkOfCentres, std::min((chunk + 1) * ChunkOfCentres, centres), own.data());
       if (progress && omp_get_thread_num() == 0)
       {
         progress(double(chunk) / chunks);
