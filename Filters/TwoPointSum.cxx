@@ -18,12 +18,11 @@ ruc::LagGrid TwoPointSum::MakeLags(double maximum, int count, double automatic)
     throw std::invalid_argument(
       ruc::Text("MaximumLag requires a finite number >= 0 (0: automatic), got ", maximum, "."));
   }
-  // The same bounds as in ruc::ExactPairSum, asked before the division
-  constexpr int mostLags = 100000;
-  if (count < 1 || count > mostLags)
+  // ruc::ExactPairSum asks the same, but only after the division
+  if (count < 1 || count > ruc::MostLags)
   {
-    throw std::invalid_argument(
-      ruc::Text("NumberOfLags requires 1 <= NumberOfLags <= ", mostLags, ", got ", count, "."));
+    throw std::invalid_argument(ruc::Text(
+      "NumberOfLags requires 1 <= NumberOfLags <= ", ruc::MostLags, ", got ", count, "."));
   }
   return { (maximum > 0.0 ? maximum : automatic) / count, count };
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reconstruction/CellObjective.h"
 
+#include "Measure.h"
 #include "Oracles.h"
 
 #include <omp.h>
@@ -19,15 +20,6 @@ CellContents Contents()
   contents.Radius = { 1.0, 0.6 };
   contents.Edge = 6.0;
   return contents;
-}
-
-TwoPointProbability Measure(ruc::SpherePack pack, const ruc::Window& box, const ruc::LagGrid& lags)
-{
-  ruc::SortCanonically(pack);
-  const ruc::ExactPairSum sum(pack, box, lags);
-  std::vector<std::int64_t> sums(sum.SumsSize(), 0);
-  sum.AddChunks(0, 1, sums.data());
-  return sum.Result(sums);
 }
 
 // Of another pack with the same contents

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reconstruction/GradientSearch.h"
 
+#include "Measure.h"
 #include "Oracles.h"
 
 #include <omp.h>
@@ -13,15 +14,6 @@ using ruc::TwoPointProbability;
 using ruc::UnitCell;
 
 const auto CarryOn = [](const SearchState&) { return true; };
-
-TwoPointProbability Measure(ruc::SpherePack pack, const ruc::Window& box, const ruc::LagGrid& lags)
-{
-  ruc::SortCanonically(pack);
-  const ruc::ExactPairSum sum(pack, box, lags);
-  std::vector<std::int64_t> sums(sum.SumsSize(), 0);
-  sum.AddChunks(0, 1, sums.data());
-  return sum.Result(sums);
-}
 
 // A pack of 8 times 60 spheres, and a cell of 60
 struct Problem

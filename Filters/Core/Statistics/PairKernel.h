@@ -7,6 +7,9 @@
 
 namespace ruc
 {
+/** More lags than this are refused. */
+constexpr int MostLags = 100000;
+
 /** The lags r_k = k Spacing, k = 0 to Count. */
 struct LagGrid
 {

@@ -130,24 +130,33 @@ double LeastSetCovariance(const Window& window, double reach)
   } while (std::next_permutation(order, order + 3));
   return least;
 }
+
+// Every type of sphere that occurs, once and in order
+std::vector<SphereType> FindTypes(const SpherePack& pack)
+{
+  std::vector<SphereType> types;
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    types.push_back({ pack.Mode[i], pack.Radius[i] });
+  }
+  std::sort(types.begin(), types.end());
+  types.erase(std::unique(types.begin(), types.end()), types.end());
+  return types;
+}
 }
 
 // What the tabulated and the direct sum share
 class ExactPairSum::Method
 {
 public:
-  Method(const SpherePack& pack, const Window& window, const LagGrid& lags)
+  Method(const SpherePack& pack, const Window& window, const LagGrid& lags,
+    std::vector<SphereType> types)
     : Pack(pack)
     , Observed(window)
     , Lags(lags)
+    , Types(std::move(types))
   {
     WrapIntoBox(this->Pack, window);
-    for (std::size_t i = 0; i < pack.Size(); ++i)
-    {
-      this->Types.push_back({ pack.Mode[i], pack.Radius[i] });
-    }
-    std::sort(this->Types.begin(), this->Types.end());
-    this->Types.erase(std::unique(this->Types.begin(), this->Types.end()), this->Types.end());
   }
   virtual ~Method() = default;
 
@@ -214,8 +223,9 @@ public:
 class ExactPairSum::Tabulated : public ExactPairSum::Method
 {
 public:
-  Tabulated(const SpherePack& pack, const Window& window, const LagGrid& lags)
-    : Method(pack, window, lags)
+  Tabulated(const SpherePack& pack, const Window& window, const LagGrid& lags,
+    std::vector<SphereType> types)
+    : Method(pack, window, lags, std::move(types))
     , Histogram(this->Types, lags)
   {
     this->MakeCells(this->Histogram.GetCutoff());
@@ -296,8 +306,9 @@ void AddOverlapMoments(
 class ExactPairSum::Direct : public ExactPairSum::Method
 {
 public:
-  Direct(const SpherePack& pack, const Window& window, const LagGrid& lags)
-    : Method(pack, window, lags)
+  Direct(const SpherePack& pack, const Window& window, const LagGrid& lags,
+    std::vector<SphereType> types)
+    : Method(pack, window, lags, std::move(types))
     , Pairs(pack.NumberOfModes(), lags)
   {
     this->MakeCells(lags.Maximum() + 2.0 * pack.LargestRadius());
@@ -373,7 +384,6 @@ private:
 
 ExactPairSum::ExactPairSum(const SpherePack& pack, const Window& window, const LagGrid& lags)
 {
-  constexpr int MostLags = 100000;
   if (lags.Count < 1 || lags.Count > MostLags)
   {
     throw std::invalid_argument(
@@ -400,20 +410,14 @@ ExactPairSum::ExactPairSum(const SpherePack& pack, const Window& window, const L
       " for this ", window.Describe(), " and spheres of up to ", 2.0 * pack.LargestRadius(),
       " diameter, got ", lags.Maximum(), "."));
   }
-  std::vector<SphereType> types;
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    types.push_back({ pack.Mode[i], pack.Radius[i] });
-  }
-  std::sort(types.begin(), types.end());
-  types.erase(std::unique(types.begin(), types.end()), types.end());
+  std::vector<SphereType> types = FindTypes(pack);
   if (types.size() <= MostTypes && PairHistogram::EstimateSize(types, lags) <= LargestHistogram)
   {
-    this->Sum = std::make_unique<Tabulated>(pack, window, lags);
+    this->Sum = std::make_unique<Tabulated>(pack, window, lags, std::move(types));
   }
   else
   {
-    this->Sum = std::make_unique<Direct>(pack, window, lags);
+    this->Sum = std::make_unique<Direct>(pack, window, lags, std::move(types));
   }
 }
 
