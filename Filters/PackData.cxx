@@ -12,7 +12,6 @@
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkLongLongArray.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -23,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -32,34 +32,46 @@ namespace
 {
 using ruc::Text;
 
-// x, y, z, radius, mode, id
-constexpr int NumbersPerSphere = 6;
-
-std::vector<double> LocalSpheres(vtkPointSet* input, bool withModes)
+ruc::SpherePack ReadPack(vtkPointSet* input, bool withModes)
 {
   const vtkIdType count = input ? input->GetNumberOfPoints() : 0;
-  std::vector<double> numbers(count * NumbersPerSphere, 0.0);
+  ruc::SpherePack pack;
   if (count == 0)
   {
-    return numbers;
+    return pack;
   }
   vtkDataArray* radius = RequireArray(input, "Radius");
   vtkDataArray* mode = withModes ? RequireArray(input, "Mode") : nullptr;
   vtkDataArray* id = input->GetPointData()->GetArray("Id");
+  for (std::vector<double>* numbers : { &pack.X, &pack.Y, &pack.Z, &pack.Radius })
+  {
+    numbers->resize(count);
+  }
+  pack.Mode.resize(withModes ? count : 0);
+  pack.Id.resize(id && id->GetNumberOfComponents() == 1 ? count : 0);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    double* sphere = &numbers[i * NumbersPerSphere];
-    input->GetPoint(i, sphere);
-    sphere[3] = radius->GetTuple1(i);
-    sphere[4] = mode ? mode->GetTuple1(i) : 0.0;
-    sphere[5] = id && id->GetNumberOfComponents() == 1 ? id->GetTuple1(i) : -1.0;
-    if (!(sphere[4] == std::floor(sphere[4]) && std::abs(sphere[4]) <= 2147483647.0))
+    double centre[3];
+    input->GetPoint(i, centre);
+    pack.X[i] = centre[0];
+    pack.Y[i] = centre[1];
+    pack.Z[i] = centre[2];
+    pack.Radius[i] = radius->GetTuple1(i);
+    if (!pack.Id.empty())
     {
-      throw std::invalid_argument(
-        Text("Array 'Mode' requires whole numbers, got ", sphere[4], "."));
+      pack.Id[i] = static_cast<std::int64_t>(id->GetTuple1(i));
+    }
+    if (withModes)
+    {
+      const double m = mode->GetTuple1(i);
+      if (!(m == std::floor(m) && std::abs(m) <= 2147483647.0))
+      {
+        throw std::invalid_argument(Text("Array 'Mode' requires whole numbers, got ", m, "."));
+      }
+      pack.Mode[i] = static_cast<int>(m);
     }
   }
-  return numbers;
+  return pack;
 }
 
 // The window in the field data, as numbers: what it is (0 none, 1 box, 2 cylinder) and its
@@ -138,23 +150,29 @@ ruc::Window MakeWindow(const WindowProperties& p)
     { p.BoxPeriodic[0] != 0, p.BoxPeriodic[1] != 0, p.BoxPeriodic[2] != 0 });
 }
 
-ruc::Window BoundsOfCentres(const ruc::SpherePack& pack)
+ruc::Window BoundsOfCentres(const ruc::SpherePack& piece, RankCommunicator& ranks)
 {
-  const std::vector<double>* axes[3] = { &pack.X, &pack.Y, &pack.Z };
-  ruc::Vector3 origin, size;
+  const std::vector<double>* axes[3] = { &piece.X, &piece.Y, &piece.Z };
+  double bounds[6]; // the least of every axis, and minus the greatest
+  std::fill_n(bounds, 6, std::numeric_limits<double>::infinity());
   for (int q = 0; q < 3; ++q)
   {
-    const auto [low, high] = std::minmax_element(axes[q]->begin(), axes[q]->end());
-    origin[q] = *low;
-    size[q] = *high - *low;
-    if (!(size[q] > 0.0))
+    for (double c : *axes[q])
     {
-      throw std::invalid_argument(Text("A window is required (BoxSize, or CylinderRadius and "
-                                       "CylinderHeight): the pack brings none, "
-                                       "and the bounds of its centres have no volume."));
+      bounds[q] = std::min(bounds[q], c);
+      bounds[3 + q] = std::min(bounds[3 + q], -c);
     }
   }
-  return ruc::Window::MakeBox(origin, size, { false, false, false });
+  ranks.Minimum(bounds, 6);
+  const ruc::Vector3 size = { -bounds[3] - bounds[0], -bounds[4] - bounds[1],
+    -bounds[5] - bounds[2] };
+  if (!(size[0] > 0.0 && size[1] > 0.0 && size[2] > 0.0))
+  {
+    throw std::invalid_argument("A window is required (BoxSize, or CylinderRadius and "
+                                "CylinderHeight): the pack brings none, "
+                                "and the bounds of its centres have no volume.");
+  }
+  return ruc::Window::MakeBox({ bounds[0], bounds[1], bounds[2] }, size, { false, false, false });
 }
 
 template <class Array, class Value>
@@ -210,74 +228,12 @@ bool HasArray(vtkPointSet* input, const char* name, RankCommunicator& ranks)
   return owners > 0;
 }
 
-ruc::SpherePack GatherPack(vtkPointSet* input, bool withModes, RankCommunicator& ranks)
+namespace
 {
-  std::vector<double> numbers;
-  std::string error;
-  try
-  {
-    numbers = LocalSpheres(input, withModes);
-  }
-  catch (const std::invalid_argument& e)
-  {
-    error = e.what();
-  }
-  ranks.ThrowIfAny(error);
-  if (ranks.Size() > 1)
-  {
-    vtkMultiProcessController* controller = ranks.GetController();
-    const vtkIdType own = static_cast<vtkIdType>(numbers.size());
-    std::vector<vtkIdType> lengths(ranks.Size());
-    controller->AllGather(&own, lengths.data(), 1);
-    std::vector<vtkIdType> offsets(ranks.Size(), 0);
-    std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
-    std::vector<double> all(offsets.back() + lengths.back());
-    controller->AllGatherV(numbers.data(), all.data(), own, lengths.data(), offsets.data());
-    numbers.swap(all);
-  }
-  ruc::SpherePack pack;
-  const std::size_t count = numbers.size() / NumbersPerSphere;
-  for (std::vector<double>* axis : { &pack.X, &pack.Y, &pack.Z, &pack.Radius })
-  {
-    axis->resize(count);
-  }
-  pack.Mode.resize(withModes ? count : 0);
-  pack.Id.resize(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double* sphere = &numbers[i * NumbersPerSphere];
-    pack.X[i] = sphere[0];
-    pack.Y[i] = sphere[1];
-    pack.Z[i] = sphere[2];
-    pack.Radius[i] = sphere[3];
-    pack.Id[i] = static_cast<std::int64_t>(sphere[5]);
-    if (withModes)
-    {
-      pack.Mode[i] = static_cast<int>(sphere[4]);
-    }
-  }
-  // The numbers must be comparable before they can be sorted, and sorted before equal centres can
-  // be found.
-  const bool comparable =
-    std::none_of(numbers.begin(), numbers.end(), [](double v) { return std::isnan(v); });
-  if (comparable)
-  {
-    ruc::SortCanonically(pack);
-  }
-  if (std::find(pack.Id.begin(), pack.Id.end(), -1) != pack.Id.end())
-  {
-    std::iota(pack.Id.begin(), pack.Id.end(), 0);
-  }
-  ruc::ValidatePack(pack, withModes);
-  return pack;
-}
-
-ObservedPack GatherObservedPack(
-  vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks)
+// The window of the lowest rank whose piece brings one, else the properties', else the bounds
+void FindOrigin(vtkPointSet* input, const WindowProperties& properties,
+  const ruc::SpherePack& piece, RankCommunicator& ranks, PackOrigin& origin)
 {
-  ObservedPack observed;
-  observed.Pack = GatherPack(input, withModes, ranks);
-
   std::vector<double> window(WindowNumbers, 0.0);
   std::string error;
   try
@@ -289,40 +245,128 @@ ObservedPack GatherObservedPack(
     error = e.what();
   }
   ranks.ThrowIfAny(error);
-  // The numbers of the lowest rank whose piece brings a window
   std::string text(window[0] != 0.0 ? WindowNumbers * sizeof(double) : 0, '\0');
   std::copy_n(reinterpret_cast<const char*>(window.data()), text.size(), text.begin());
   text = ranks.FirstText(text);
   if (!text.empty())
   {
     std::copy_n(text.data(), text.size(), reinterpret_cast<char*>(window.data()));
-    observed.Observed = MakeWindow(window);
-    observed.WindowSource = "Input";
+    origin.Observed = MakeWindow(window);
+    origin.WindowSource = "Input";
   }
   else if (properties.HasBox() || properties.HasCylinder())
   {
-    observed.Observed = MakeWindow(properties);
-    observed.WindowSource = "Properties";
+    origin.Observed = MakeWindow(properties);
+    origin.WindowSource = "Properties";
   }
   else
   {
-    observed.Observed = BoundsOfCentres(observed.Pack);
-    observed.WindowSource = "Bounds of the centres";
+    origin.Observed = BoundsOfCentres(piece, ranks);
+    origin.WindowSource = "Bounds of the centres";
   }
   vtkAbstractArray* unit = input ? input->GetFieldData()->GetAbstractArray("LengthUnit") : nullptr;
-  observed.LengthUnit = ranks.FirstText(
+  origin.LengthUnit = ranks.FirstText(
     unit && unit->GetNumberOfValues() > 0 ? unit->GetVariantValue(0).ToString() : "");
+}
+
+std::int64_t CountSpheres(const ruc::SpherePack& piece, RankCommunicator& ranks)
+{
+  std::int64_t count = static_cast<std::int64_t>(piece.Size());
+  ranks.Sum(&count, 1);
+  return count;
+}
+}
+
+PackPiece FindPiece(
+  vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks)
+{
+  PackPiece found;
+  ruc::SpherePack& piece = found.Piece;
+  std::string error;
+  try
+  {
+    piece = ReadPack(input, withModes);
+  }
+  catch (const std::invalid_argument& e)
+  {
+    error = e.what();
+  }
+  ranks.ThrowIfAny(error);
+  found.NumberOfSpheres = CountSpheres(piece, ranks);
+  if (found.NumberOfSpheres == 0)
+  {
+    throw std::invalid_argument(ruc::NoSpheres);
+  }
+  ranks.ThrowIfAny(ruc::FindFaultySphere(piece, withModes, found.NumberOfSpheres));
+  FindOrigin(input, properties, piece, ranks, found);
   if (properties.Crop)
   {
-    observed.Pack = ruc::CropToWindow(observed.Pack, observed.Observed);
-    if (observed.Pack.Empty())
+    piece = ruc::CropToWindow(piece, found.Observed);
+    found.NumberOfSpheres = CountSpheres(piece, ranks);
+    if (found.NumberOfSpheres == 0)
     {
-      throw std::invalid_argument(Text(
-        "The ", observed.Observed.Describe(), " requires at least one centre inside, got none."));
+      throw std::invalid_argument(
+        Text("The ", found.Observed.Describe(), " requires at least one centre inside, got none."));
     }
-    ruc::ValidatePack(observed.Pack, withModes);
   }
-  ruc::ValidateWindow(observed.Pack, observed.Observed);
+  std::int64_t outside = 0;
+  const std::string example = ruc::FindOutside(piece, found.Observed, outside);
+  ranks.Sum(&outside, 1);
+  ranks.ThrowIfAny(example.empty()
+      ? example
+      : ruc::OutsideMessage(found.Observed, outside, found.NumberOfSpheres, example));
+  return found;
+}
+
+SharedPack FindShare(
+  vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks)
+{
+  PackPiece found = FindPiece(input, properties, withModes, ranks);
+  SharedPack shared;
+  static_cast<PackOrigin&>(shared) = found;
+  shared.Share = ruc::SharePack(std::move(found.Piece), found.Observed, withModes, ranks);
+  return shared;
+}
+
+ObservedPack GatherPack(
+  vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks)
+{
+  constexpr std::size_t numbersPerSphere = 6; // x, y, z, radius, mode, id
+  const PackPiece found = FindPiece(input, properties, withModes, ranks);
+  const ruc::SpherePack& piece = found.Piece;
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < piece.Size(); ++i)
+  {
+    numbers.insert(numbers.end(),
+      { piece.X[i], piece.Y[i], piece.Z[i], piece.Radius[i], withModes ? piece.Mode[i] : 0.0,
+        piece.Id.empty() ? -1.0 : piece.Id[i] });
+  }
+  ObservedPack observed;
+  static_cast<PackOrigin&>(observed) = found;
+  ruc::SpherePack& pack = observed.Pack;
+  for (const std::vector<double>& of :
+    ranks.Exchange(std::vector<std::vector<double>>(ranks.Size(), numbers)))
+  {
+    for (std::size_t n = 0; n < of.size(); n += numbersPerSphere)
+    {
+      pack.X.push_back(of[n]);
+      pack.Y.push_back(of[n + 1]);
+      pack.Z.push_back(of[n + 2]);
+      pack.Radius.push_back(of[n + 3]);
+      if (withModes)
+      {
+        pack.Mode.push_back(static_cast<int>(of[n + 4]));
+      }
+      pack.Id.push_back(static_cast<std::int64_t>(of[n + 5]));
+    }
+  }
+  ruc::SortCanonically(pack);
+  if (std::find(pack.Id.begin(), pack.Id.end(), -1) != pack.Id.end())
+  {
+    std::iota(pack.Id.begin(), pack.Id.end(), 0);
+  }
+  ruc::ValidatePack(pack, withModes);
+  ruc::ValidateWindow(pack, observed.Observed);
   return observed;
 }
 
@@ -420,20 +464,19 @@ void AddWindow(vtkDataObject* data, const ruc::Window& window)
   }
 }
 
-void AddOrigin(vtkDataObject* data, const ObservedPack& pack)
+void AddOrigin(vtkDataObject* data, const PackOrigin& origin)
 {
-  AddField(data, "WindowSource", pack.WindowSource);
-  AddField(data, "LengthUnit", pack.LengthUnit);
+  AddField(data, "WindowSource", origin.WindowSource);
+  AddField(data, "LengthUnit", origin.LengthUnit);
   AddField(data, "PluginVersion", std::string(RUC_VERSION));
 }
 
-void AddPackSummary(vtkDataObject* data, const ObservedPack& pack,
+void AddPackSummary(vtkDataObject* data, const PackOrigin& origin, std::int64_t spheres,
   const std::vector<double>& fractions, double overlapPercent)
 {
-  AddWindow(data, pack.Observed);
-  AddOrigin(data, pack);
-  AddField(
-    data, "NumberOfSpheres", std::vector<long long>{ static_cast<long long>(pack.Pack.Size()) });
+  AddWindow(data, origin.Observed);
+  AddOrigin(data, origin);
+  AddField(data, "NumberOfSpheres", std::vector<long long>{ static_cast<long long>(spheres) });
   AddField(data, "VolumeFractions", fractions);
   AddField(data, "OverlapPercent", std::vector<double>{ overlapPercent });
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Geometry/SpherePack.h"
+#include "Geometry/PackShare.h"
 #include "Statistics/TwoPointProbability.h"
 
 #include <string>
@@ -18,13 +18,31 @@ class vtkTable;
 /** Sphere packs and tables as VTK data sets, with the arrays that README names. */
 namespace PackData
 {
-/** A pack with the window its centres were observed in. */
-struct ObservedPack
+/** Where a pack was observed. */
+struct PackOrigin
 {
-  ruc::SpherePack Pack;
-  ruc::Window Observed;
+  ruc::Window Observed;     // of its centres
   std::string WindowSource; // "Input", "Properties" or "Bounds of the centres"
   std::string LengthUnit;
+};
+
+/** A whole pack. */
+struct ObservedPack : PackOrigin
+{
+  ruc::SpherePack Pack;
+};
+
+/** A rank's piece of a pack, as the input hands it out. */
+struct PackPiece : PackOrigin
+{
+  ruc::SpherePack Piece;
+  std::int64_t NumberOfSpheres = 0; // on all ranks
+};
+
+/** A rank's share of a pack. */
+struct SharedPack : PackOrigin
+{
+  ruc::PackShare Share;
 };
 
 /** What a filter's own properties say of the window; sizes of 0 leave it to the pack. */
@@ -44,18 +62,25 @@ struct WindowProperties
 };
 
 /**
- * Collective: the whole pack on every rank, however it was spread over them, in canonical order
- * (ruc::SortCanonically). `Mode` is required and read only `withModes`; `Id` is the input's, or the
- * place in that order. Throws std::invalid_argument, the same on every rank, where an array is
- * missing or not of the form required.
+ * Collective: this rank's piece of the pack and the window of the whole: field data of the pack,
+ * else the properties, else the bounds of the centres. `Mode` is required and read only
+ * `withModes`. Throws std::invalid_argument, the same on every rank, where there are no points,
+ * where an array is missing or not of the form required, for numbers out of range, and for centres
+ * outside the window unless the properties say to crop.
  */
-ruc::SpherePack GatherPack(vtkPointSet* input, bool withModes, RankCommunicator& ranks);
+PackPiece FindPiece(
+  vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks);
+
+/** Collective: FindPiece, and every check of ruc::SharePack. No rank sees more than its share. */
+SharedPack FindShare(
+  vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks);
 
 /**
- * Collective: GatherPack, its window (field data of the pack, else the properties, else the bounds
- * of the centres), and every check that estimators need: ruc::ValidatePack and ruc::ValidateWindow.
+ * Collective: the whole pack on every rank, however it was spread over them, in canonical order
+ * (ruc::SortCanonically), checked by ruc::ValidatePack and ruc::ValidateWindow. `Id` is the
+ * input's, or the place in that order. For packs that are small, such as unit cells.
  */
-ObservedPack GatherObservedPack(
+ObservedPack GatherPack(
   vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks);
 
 /** The point array of that name as double, checked: numeric, one component. Null where there are no
@@ -80,13 +105,13 @@ void AddField(vtkDataObject* data, const char* name, const std::string& text);
 /** `BoxOrigin`, … or `CylinderBase`, …, in the form that GatherObservedPack reads. */
 void AddWindow(vtkDataObject* data, const ruc::Window& window);
 /** `WindowSource`, `LengthUnit` and `PluginVersion`. */
-void AddOrigin(vtkDataObject* data, const ObservedPack& pack);
+void AddOrigin(vtkDataObject* data, const PackOrigin& origin);
 
 /**
  * What made a result of this pack: window and origin, `NumberOfSpheres`, `VolumeFractions` (as
  * ruc::OnePointProbability) and `OverlapPercent`.
  */
-void AddPackSummary(vtkDataObject* data, const ObservedPack& pack,
+void AddPackSummary(vtkDataObject* data, const PackOrigin& origin, std::int64_t spheres,
   const std::vector<double>& fractions, double overlapPercent);
 
 /** Above this overlap, in percent of the spheres' volume, sums over spheres are no longer the

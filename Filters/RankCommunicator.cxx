@@ -41,6 +41,77 @@ void RankCommunicator::Share(double* values, std::size_t count)
   }
 }
 
+void RankCommunicator::Minimum(std::int32_t* values, std::size_t count)
+{
+  if (this->Size() > 1)
+  {
+    static_assert(sizeof(int) == sizeof(std::int32_t), "the same integers under two names");
+    const std::vector<int> own(values, values + count);
+    this->Controller->AllReduce(
+      own.data(), values, static_cast<vtkIdType>(count), vtkCommunicator::MIN_OP);
+  }
+}
+
+void RankCommunicator::Minimum(double* values, std::size_t count)
+{
+  if (this->Size() > 1)
+  {
+    const std::vector<double> own(values, values + count);
+    this->Controller->AllReduce(
+      own.data(), values, static_cast<vtkIdType>(count), vtkCommunicator::MIN_OP);
+  }
+}
+
+std::vector<std::vector<double>> RankCommunicator::Exchange(
+  std::vector<std::vector<double>> outgoing)
+{
+  constexpr int tag = 61301;
+  const int ranks = this->Size();
+  const int rank = this->Rank();
+  std::vector<std::vector<double>> incoming(ranks);
+  const auto send = [&](int to)
+  {
+    const vtkIdType count = static_cast<vtkIdType>(outgoing[to].size());
+    this->Controller->Send(&count, 1, to, tag);
+    if (count > 0)
+    {
+      this->Controller->Send(outgoing[to].data(), count, to, tag);
+    }
+    std::vector<double>().swap(outgoing[to]);
+  };
+  const auto receive = [&](int from)
+  {
+    vtkIdType count = 0;
+    this->Controller->Receive(&count, 1, from, tag);
+    incoming[from].resize(count);
+    if (count > 0)
+    {
+      this->Controller->Receive(incoming[from].data(), count, from, tag);
+    }
+  };
+  // In every step the ranks make pairs; the lower one of a pair talks first, so none waits in a
+  // ring
+  for (int step = 0; step < ranks; ++step)
+  {
+    const int partner = (step - rank + ranks) % ranks;
+    if (partner == rank)
+    {
+      incoming[rank] = std::move(outgoing[rank]);
+    }
+    else if (rank < partner)
+    {
+      send(partner);
+      receive(partner);
+    }
+    else
+    {
+      receive(partner);
+      send(partner);
+    }
+  }
+  return incoming;
+}
+
 std::string RankCommunicator::FirstText(const std::string& text)
 {
   if (this->Size() == 1)

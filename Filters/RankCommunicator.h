@@ -20,13 +20,10 @@ public:
   int Size() const override;
   void Sum(std::int64_t* values, std::size_t count) override;
   void Share(double* values, std::size_t count) override;
-
-  /**
-   * Collective: throws std::invalid_argument on every rank when `error` is not empty on any, with
-   * the text of the lowest rank that has one. What can fail on one rank alone is agreed on in this
-   * way before any rank goes on.
-   */
-  void ThrowIfAny(const std::string& error);
+  void Minimum(std::int32_t* values, std::size_t count) override;
+  void Minimum(double* values, std::size_t count) override;
+  std::vector<std::vector<double>> Exchange(std::vector<std::vector<double>> outgoing) override;
+  void ThrowIfAny(const std::string& error) override;
 
   /** Collective: the text of the lowest rank where it is not empty. */
   std::string FirstText(const std::string& text);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TwoPointSum.h"
 
-#include "PackData.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
 #include "Text.h"
@@ -27,18 +26,18 @@ ruc::LagGrid TwoPointSum::MakeLags(double maximum, int count, double automatic)
   return { (maximum > 0.0 ? maximum : automatic) / count, count };
 }
 
-double TwoPointSum::AutomaticLag(const PackData::ObservedPack& observed)
+double TwoPointSum::AutomaticLag(const ruc::PackShare& pack)
 {
-  return std::min(0.5 * observed.Observed.ShortestEdge(),
-    ruc::ExactPairSum::LargestLag(observed.Pack, observed.Observed));
+  return std::min(0.5 * pack.Observed.ShortestEdge(),
+    ruc::ExactPairSum::LargestLag(pack.LargestRadius, pack.Observed));
 }
 
-ruc::TwoPointProbability TwoPointSum::Compute(const PackData::ObservedPack& observed,
-  const ruc::LagGrid& lags, RankCommunicator& ranks, ProgressReport& report)
+ruc::TwoPointProbability TwoPointSum::Compute(const ruc::PackShare& pack, const ruc::LagGrid& lags,
+  RankCommunicator& ranks, ProgressReport& report)
 {
-  const ruc::ExactPairSum sum(observed.Pack, observed.Observed, lags);
+  const ruc::ExactPairSum sum(pack, lags, ranks);
   std::vector<std::int64_t> sums(sum.SumsSize(), 0);
-  sum.AddChunks(ranks.Rank(), ranks.Size(), sums.data(),
+  sum.AddChunks(0, 1, sums.data(),
     [&](double done)
     {
       if (ranks.Rank() == 0)
@@ -48,14 +47,4 @@ ruc::TwoPointProbability TwoPointSum::Compute(const PackData::ObservedPack& obse
     });
   ranks.Sum(sums.data(), sums.size());
   return sum.Result(sums);
-}
-
-double TwoPointSum::MeanDiameter(const ruc::SpherePack& pack)
-{
-  double cubes = 0.0;
-  for (double radius : pack.Radius)
-  {
-    cubes += radius * radius * radius;
-  }
-  return 2.0 * std::cbrt(cubes / pack.Size());
 }

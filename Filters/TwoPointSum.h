@@ -6,10 +6,6 @@
 
 class ProgressReport;
 class RankCommunicator;
-namespace PackData
-{
-struct ObservedPack;
-}
 
 /** The exact pair sum of a pack over the ranks. */
 namespace TwoPointSum
@@ -19,12 +15,9 @@ namespace TwoPointSum
 ruc::LagGrid MakeLags(double maximum, int count, double automatic);
 
 /** Half the shortest edge of the window, or the largest lag that it allows. */
-double AutomaticLag(const PackData::ObservedPack& observed);
+double AutomaticLag(const ruc::PackShare& pack);
 
 /** Collective; the same bits on every rank. */
-ruc::TwoPointProbability Compute(const PackData::ObservedPack& observed, const ruc::LagGrid& lags,
+ruc::TwoPointProbability Compute(const ruc::PackShare& pack, const ruc::LagGrid& lags,
   RankCommunicator& ranks, ProgressReport& report);
-
-/** (sum d^3 / number)^(1/3) */
-double MeanDiameter(const ruc::SpherePack& pack);
 }

@@ -30,9 +30,9 @@ void vtkRUCOnePointProbability::Execute(
   {
     throw std::invalid_argument(ruc::Text("Method requires the value 0, got ", this->Method, "."));
   }
-  const PackData::ObservedPack observed =
-    PackData::GatherObservedPack(input, this->GetWindowProperties(), true, ranks);
-  const std::vector<double> fractions = ruc::OnePointProbability(observed.Pack, observed.Observed);
+  const PackData::SharedPack pack =
+    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  const std::vector<double> fractions = ruc::OnePointProbability(pack.Share);
   vtkTable* table = vtkTable::GetData(outputs, 0);
   if (ranks.Rank() == 0)
   {
@@ -47,8 +47,8 @@ void vtkRUCOnePointProbability::Execute(
     PackData::AddColumn(table, "VolumeFraction_error", std::vector<double>(fractions.size(), 0.0));
   }
   PackData::AddField(table, "Method", std::string("Sphere Volumes"));
-  const double overlap = ruc::MeasureOverlap(observed.Pack, observed.Observed).Percent;
-  PackData::AddPackSummary(table, observed, fractions, overlap);
+  const double overlap = ruc::MeasureOverlap(pack.Share, ranks).Percent;
+  PackData::AddPackSummary(table, pack, pack.Share.NumberOfSpheres, fractions, overlap);
   if (ranks.Rank() == 0 && overlap > PackData::TolerableOverlap)
   {
     vtkWarningMacro(<< this->GetLabel() << PackData::OverlapWarning(overlap));

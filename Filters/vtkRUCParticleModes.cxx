@@ -61,6 +61,22 @@ void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::
   output->GetPointData()->AddArray(mode);
 }
 
+// Of the spheres on all ranks, all that the modes depend on
+std::vector<double> AllDiameters(const ruc::SpherePack& piece, RankCommunicator& ranks)
+{
+  std::vector<double> own, all;
+  for (double radius : piece.Radius)
+  {
+    own.push_back(2.0 * radius);
+  }
+  for (const std::vector<double>& diameters :
+    ranks.Exchange(std::vector<std::vector<double>>(ranks.Size(), own)))
+  {
+    all.insert(all.end(), diameters.begin(), diameters.end());
+  }
+  return all;
+}
+
 void FillTable(const ruc::ParticleModes& modes, double volume, vtkTable* table)
 {
   std::vector<long long> number, count;
@@ -119,17 +135,14 @@ void vtkRUCParticleModes::Execute(
     throw std::invalid_argument(
       ruc::Text("Method requires a value from 0 to 3, got ", this->Method, "."));
   }
-  PackData::ObservedPack observed =
-    PackData::GatherObservedPack(input, this->GetWindowProperties(), false, ranks);
+  const PackData::PackPiece pack =
+    PackData::FindPiece(input, this->GetWindowProperties(), false, ranks);
   ruc::ModeSettings settings;
   settings.Method = static_cast<ruc::ModeMethod>(this->Method);
   settings.NumberOfModes = this->NumberOfModes;
   settings.Edges = this->Method == EXPLICIT_EDGES ? this->Edges : std::vector<double>{};
   settings.MinimumDiameter = this->MinimumDiameter;
-  std::vector<double> diameters(observed.Pack.Size());
-  std::transform(observed.Pack.Radius.begin(), observed.Pack.Radius.end(), diameters.begin(),
-    [](double r) { return 2.0 * r; });
-  const ruc::ParticleModes modes(diameters, settings);
+  const ruc::ParticleModes modes(AllDiameters(pack.Piece, ranks), settings);
 
   const int wanted = this->Method == ONE_PER_SIZE ? modes.NumberOfModes()
     : this->Method == EXPLICIT_EDGES              ? this->GetNumberOfEdges() - 1
@@ -145,13 +158,13 @@ void vtkRUCParticleModes::Execute(
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   if (input && input->GetNumberOfPoints() > 0)
   {
-    FillOutput(input, modes, this->GetCropToWindow() ? &observed.Observed : nullptr, output);
+    FillOutput(input, modes, this->GetCropToWindow() ? &pack.Observed : nullptr, output);
     output->GetFieldData()->PassData(input->GetFieldData());
   }
   vtkTable* table = vtkTable::GetData(outputs, 1);
   if (ranks.Rank() == 0)
   {
-    FillTable(modes, observed.Observed.Volume(), table);
+    FillTable(modes, pack.Observed.Volume(), table);
   }
   long long spheres = 0;
   for (int m = 1; m <= modes.NumberOfModes(); ++m)
@@ -163,12 +176,12 @@ void vtkRUCParticleModes::Execute(
   {
     PackData::AddField(data, "Method", std::string(MethodNames[this->Method]));
     PackData::AddField(data, "NumberOfSpheres", std::vector<long long>{ spheres });
-    PackData::AddOrigin(data, observed);
+    PackData::AddOrigin(data, pack);
     // Bounds of the centres are a fallback for the table's fractions, not a window to hand on as
     // observed
-    if (observed.WindowSource != "Bounds of the centres")
+    if (pack.WindowSource != "Bounds of the centres")
     {
-      PackData::AddWindow(data, observed.Observed);
+      PackData::AddWindow(data, pack.Observed);
     }
   }
 }

@@ -219,7 +219,7 @@ void vtkRUCPeriodicReplicas::Execute(
       ruc::Text("SurfaceResolution requires 8 <= SurfaceResolution <= 256, got ",
         this->SurfaceResolution, "."));
   }
-  PackData::ObservedPack observed = PackData::GatherObservedPack(
+  PackData::ObservedPack observed = PackData::GatherPack(
     input, this->GetWindowProperties(), PackData::HasArray(input, "Mode", ranks), ranks);
   const ruc::Window& box = observed.Observed;
   if (!box.IsPeriodic())

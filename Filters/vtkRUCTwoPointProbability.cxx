@@ -98,12 +98,13 @@ void vtkRUCTwoPointProbability::Execute(
       ruc::Text("SaturationTolerance requires a number > 0, got ", this->SaturationTolerance, "."));
   }
   ProgressReport report(this, this->GetLabel());
-  const PackData::ObservedPack observed =
-    PackData::GatherObservedPack(input, this->GetWindowProperties(), true, ranks);
+  const PackData::SharedPack pack =
+    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
   const ruc::LagGrid lags = TwoPointSum::MakeLags(
-    this->MaximumLag, this->NumberOfLags, TwoPointSum::AutomaticLag(observed));
-  const ruc::TwoPointProbability probability = TwoPointSum::Compute(observed, lags, ranks, report);
-  const double diameter = TwoPointSum::MeanDiameter(observed.Pack);
+    this->MaximumLag, this->NumberOfLags, TwoPointSum::AutomaticLag(pack.Share));
+  const ruc::TwoPointProbability probability =
+    TwoPointSum::Compute(pack.Share, lags, ranks, report);
+  const double diameter = pack.Share.MeanDiameter();
   const std::vector<ruc::TwoPointCheck> checks =
     ruc::CheckTwoPointProbability(probability, this->SaturationTolerance, diameter);
   if (ranks.Rank() == 0)
@@ -112,7 +113,7 @@ void vtkRUCTwoPointProbability::Execute(
     FillChecks(probability, checks, vtkTable::GetData(outputs, 1));
     FillGradients(probability, vtkTable::GetData(outputs, 2));
   }
-  const double overlap = ruc::MeasureOverlap(observed.Pack, observed.Observed).Percent;
+  const double overlap = ruc::MeasureOverlap(pack.Share, ranks).Percent;
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     vtkTable* table = vtkTable::GetData(outputs, port);
@@ -122,7 +123,8 @@ void vtkRUCTwoPointProbability::Execute(
     PackData::AddField(table, "SaturationLength",
       std::vector<double>{
         ruc::SaturationLength(probability, this->SaturationTolerance, diameter) });
-    PackData::AddPackSummary(table, observed, probability.Fractions, overlap);
+    PackData::AddPackSummary(
+      table, pack, pack.Share.NumberOfSpheres, probability.Fractions, overlap);
   }
   if (ranks.Rank() == 0 && overlap > PackData::TolerableOverlap)
   {

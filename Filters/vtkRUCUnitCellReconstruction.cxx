@@ -93,21 +93,21 @@ void vtkRUCUnitCellReconstruction::ValidateProperties() const
 }
 
 ruc::CellContents vtkRUCUnitCellReconstruction::FindContents(
-  const PackData::ObservedPack& observed, RankCommunicator& ranks, ProgressReport& report)
+  const ruc::PackShare& pack, RankCommunicator& ranks, ProgressReport& report)
 {
   if (this->NumberOfParticles > 0)
   {
-    return ruc::FindCellContents(observed.Pack, observed.Observed, this->NumberOfParticles);
+    return ruc::FindCellContents(pack, this->NumberOfParticles);
   }
   if (this->CellSize > 0.0)
   {
-    return ruc::FindCellContents(observed.Pack, observed.Observed, this->CellSize);
+    return ruc::FindCellContents(pack, this->CellSize);
   }
   const ruc::LagGrid lags =
-    TwoPointSum::MakeLags(0.0, this->NumberOfLags, TwoPointSum::AutomaticLag(observed));
-  const ruc::TwoPointProbability probability = TwoPointSum::Compute(observed, lags, ranks, report);
-  double length = ruc::SaturationLength(
-    probability, this->SaturationTolerance, TwoPointSum::MeanDiameter(observed.Pack));
+    TwoPointSum::MakeLags(0.0, this->NumberOfLags, TwoPointSum::AutomaticLag(pack));
+  const ruc::TwoPointProbability probability = TwoPointSum::Compute(pack, lags, ranks, report);
+  double length =
+    ruc::SaturationLength(probability, this->SaturationTolerance, pack.MeanDiameter());
   if (std::isnan(length))
   {
     length = lags.Maximum();
@@ -118,7 +118,7 @@ ruc::CellContents vtkRUCUnitCellReconstruction::FindContents(
                       << "; the cell's edge is about twice that. Set CellSize for another.");
     }
   }
-  return ruc::FindCellContents(observed.Pack, observed.Observed, 2.0 * length);
+  return ruc::FindCellContents(pack, 2.0 * length);
 }
 
 std::string vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport& report)
@@ -144,12 +144,12 @@ void vtkRUCUnitCellReconstruction::Execute(
   this->SetAbortExecute(0); // VTK leaves the wish of a former run standing
   this->ValidateProperties();
   ProgressReport report(this, this->GetLabel());
-  const PackData::ObservedPack observed =
-    PackData::GatherObservedPack(input, this->GetWindowProperties(), true, ranks);
-  const ruc::CellContents contents = this->FindContents(observed, ranks, report);
+  const PackData::SharedPack pack =
+    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  const ruc::CellContents contents = this->FindContents(pack.Share, ranks, report);
   const ruc::LagGrid lags =
     TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags, 0.5 * contents.Edge);
-  const ruc::TwoPointProbability target = TwoPointSum::Compute(observed, lags, ranks, report);
+  const ruc::TwoPointProbability target = TwoPointSum::Compute(pack.Share, lags, ranks, report);
 
   ruc::GradientSearchSettings settings;
   settings.Seed = static_cast<std::uint32_t>(this->Seed);
@@ -172,11 +172,7 @@ void vtkRUCUnitCellReconstruction::Execute(
   const bool stopped = cell.EndedBy == "Stopped";
   const std::string endedBy = stopped ? ranks.FirstText(stopReason) : cell.EndedBy;
 
-  PackData::ObservedPack result;
-  result.Pack = cell.Pack;
-  result.Observed = cell.Box;
-  result.WindowSource = "Unit cell";
-  result.LengthUnit = observed.LengthUnit;
+  const PackData::PackOrigin origin = { cell.Box, "Unit cell", pack.LengthUnit };
   if (ranks.Rank() == 0)
   {
     PackData::FillPolyData(cell.Pack, vtkPolyData::GetData(outputs, 0));
@@ -186,7 +182,8 @@ void vtkRUCUnitCellReconstruction::Execute(
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     vtkDataObject* data = outputs->GetInformationObject(port)->Get(vtkDataObject::DATA_OBJECT());
-    PackData::AddPackSummary(data, result, cell.Probability.Fractions, cell.Overlap.Percent);
+    PackData::AddPackSummary(
+      data, origin, cell.Pack.Size(), cell.Probability.Fractions, cell.Overlap.Percent);
     PackData::AddField(data, "Method", std::string("Gradient"));
     PackData::AddField(data, "Seed", std::vector<long long>{ this->Seed });
     PackData::AddField(data, "NumberOfLags", std::vector<long long>{ lags.Count });

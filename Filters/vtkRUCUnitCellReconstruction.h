@@ -33,13 +33,10 @@
 
 #include <string>
 
-namespace PackData
-{
-struct ObservedPack;
-}
 namespace ruc
 {
 struct CellContents;
+struct PackShare;
 struct LagGrid;
 struct TwoPointProbability;
 struct UnitCell;
@@ -131,7 +128,7 @@ private:
 
   void ValidateProperties() const;
   ruc::CellContents FindContents(
-    const PackData::ObservedPack& observed, RankCommunicator& ranks, ProgressReport& report);
+    const ruc::PackShare& pack, RankCommunicator& ranks, ProgressReport& report);
   // Why the search should end now: empty, "Time limit", "Stop file" or "Abort"
   std::string FindStopReason(const ProgressReport& report);
 

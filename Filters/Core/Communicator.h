@@ -4,6 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace ruc
 {
@@ -20,6 +23,29 @@ public:
 
   /** Replaces every number by its sum over the ranks. */
   virtual void Sum(std::int64_t* /*values*/, std::size_t /*count*/) {}
+
+  /** Replaces every number by its least over the ranks. */
+  virtual void Minimum(std::int32_t* /*values*/, std::size_t /*count*/) {}
+  virtual void Minimum(double* /*values*/, std::size_t /*count*/) {}
+
+  /** `outgoing[q]` goes to rank q; returned is what came from each rank, this one included. */
+  virtual std::vector<std::vector<double>> Exchange(std::vector<std::vector<double>> outgoing)
+  {
+    return outgoing;
+  }
+
+  /**
+   * Throws std::invalid_argument on every rank when `error` is not empty on any, with the text of
+   * the lowest rank that has one. What can fail on one rank alone is agreed on in this way before
+   * any rank goes on.
+   */
+  virtual void ThrowIfAny(const std::string& error)
+  {
+    if (!error.empty())
+    {
+      throw std::invalid_argument(error);
+    }
+  }
 
   /**
    * The same for numbers of which at most one rank holds another value than 0, so that the sum is

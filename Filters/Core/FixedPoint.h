@@ -22,4 +22,21 @@ inline std::int64_t RoundToFixedPoint(double value)
   std::memcpy(&base, &FixedPointRounder, sizeof(base));
   return bits - base;
 }
+
+/**
+ * A sum of fixed-point numbers that 64 bits cannot hold: limbs[0] + 2^32 limbs[1]. Such sums may be
+ * added limb by limb; neither limb overflows before 2^31 of them.
+ */
+inline void AddWide(std::int64_t value, std::int64_t* limbs)
+{
+  limbs[0] += value & 0xffffffff;
+  limbs[1] += value >> 32;
+}
+
+/** The double nearest to such a sum. */
+inline double WideValue(const std::int64_t* limbs)
+{
+  __extension__ using Wide = __int128;
+  return static_cast<double>(Wide(limbs[1]) * (Wide(1) << 32) + limbs[0]);
+}
 }

@@ -102,7 +102,7 @@ void Objective(benchmark::State& state)
 {
   const ruc::SpherePack pack = ReadPack();
   const ruc::TwoPointProbability target = PairSum(ruc::ExactPairSum(pack, Block, Lags));
-  const ruc::CellContents contents = ruc::FindCellContents(pack, Block, 1082);
+  const ruc::CellContents contents = ruc::FindCellContents(ruc::SharePack(pack, Block), 1082);
   ruc::Communicator serial;
   ruc::CellObjective objective(contents, target, serial);
   std::vector<double> centres;

@@ -46,7 +46,7 @@ TEST(CellContents, CountsAreTheNearestWholeNumbers)
   const int counts[] = { 400, 150, 33 };
   for (double edge : { 8.0, 10.0, 12.34, 17.0 })
   {
-    const ruc::CellContents contents = ruc::FindCellContents(pack, Block, edge);
+    const ruc::CellContents contents = ruc::FindCellContents(ruc::SharePack(pack, Block), edge);
     ASSERT_EQ(contents.Count.size(), 3u);
     int total = 0;
     for (int m = 0; m < 3; ++m)
@@ -67,10 +67,10 @@ TEST(CellContents, CountsAreTheNearestWholeNumbers)
 TEST(CellContents, EdgeMinimisesTheDifferenceOfTheFractions)
 {
   const ruc::SpherePack pack = Pack();
-  const std::vector<double> fractions = ruc::OnePointProbability(pack, Block);
+  const std::vector<double> fractions = ruc::OnePointProbability(ruc::SharePack(pack, Block));
   for (double edge : { 8.0, 10.0, 12.34 })
   {
-    const ruc::CellContents contents = ruc::FindCellContents(pack, Block, edge);
+    const ruc::CellContents contents = ruc::FindCellContents(ruc::SharePack(pack, Block), edge);
     const double least = Difference(contents, fractions, contents.Edge);
     for (int n = -2000; n <= 2000; ++n)
     {
@@ -91,7 +91,7 @@ TEST(CellContents, AnExactShareKeepsTheFractionsAndTheEdge)
   // edge.
   const ruc::Window box = oracle::PeriodicCube(20.0);
   const ruc::SpherePack pack = oracle::RandomPack({ 80, 160 }, { 1.0, 0.5 }, box, 1);
-  const ruc::CellContents contents = ruc::FindCellContents(pack, box, 10.0);
+  const ruc::CellContents contents = ruc::FindCellContents(ruc::SharePack(pack, box), 10.0);
   EXPECT_EQ(contents.Count, (std::vector<int>{ 10, 20 }));
   EXPECT_NEAR(contents.Edge, 10.0, 1e-13);
 }
@@ -101,7 +101,7 @@ TEST(CellContents, ByNumberOfSpheres)
   const ruc::SpherePack pack = Pack();
   for (int spheres : { 30, 57, 100, 101, 102, 103, 583, 1000 })
   {
-    const ruc::CellContents contents = ruc::FindCellContents(pack, Block, spheres);
+    const ruc::CellContents contents = ruc::FindCellContents(ruc::SharePack(pack, Block), spheres);
     EXPECT_EQ(contents.NumberOfSpheres(), spheres);
     // the contents of some one edge: the counts' shares of the pack's agree to their rounding
     const double share = contents.Count[0] / 400.0;
@@ -114,18 +114,19 @@ TEST(CellContents, AnImpossibleNumberGivesTheNext)
 {
   // Two modes of equal counts always round together, so that every total is even.
   const ruc::SpherePack pack = oracle::RandomPack({ 50, 50 }, { 0.5, 0.6 }, Block, 1);
-  EXPECT_EQ(ruc::FindCellContents(pack, Block, 20).NumberOfSpheres(), 20);
-  EXPECT_EQ(ruc::FindCellContents(pack, Block, 21).NumberOfSpheres(), 22);
+  EXPECT_EQ(ruc::FindCellContents(ruc::SharePack(pack, Block), 20).NumberOfSpheres(), 20);
+  EXPECT_EQ(ruc::FindCellContents(ruc::SharePack(pack, Block), 21).NumberOfSpheres(), 22);
 }
 
 TEST(CellContents, EveryModeNeedsASphere)
 {
   const ruc::SpherePack pack = oracle::RandomPack({ 400, 150, 3 }, { 0.4, 0.8, 1.3 }, Block, 17);
-  EXPECT_SAYS(
-    ruc::FindCellContents(pack, Block, 8.0), "none of mode 3 (3 of the pack's 553 spheres");
-  EXPECT_SAYS(ruc::FindCellContents(pack, Block, 30), "none of mode 3");
+  EXPECT_SAYS(ruc::FindCellContents(ruc::SharePack(pack, Block), 8.0),
+    "none of mode 3 (3 of the pack's 553 spheres");
+  EXPECT_SAYS(ruc::FindCellContents(ruc::SharePack(pack, Block), 30), "none of mode 3");
   // at twice the volume that rounds up to one sphere there is one
-  EXPECT_EQ(ruc::FindCellContents(pack, Block, std::cbrt(15000.0 / 3.0)).Count[2], 1);
+  EXPECT_EQ(
+    ruc::FindCellContents(ruc::SharePack(pack, Block), std::cbrt(15000.0 / 3.0)).Count[2], 1);
 }
 
 TEST(CellContents, TheSizeTheMessageAdvisesWorks)
@@ -134,11 +135,11 @@ TEST(CellContents, TheSizeTheMessageAdvisesWorks)
   {
     const ruc::SpherePack pack = oracle::RandomPack({ 4000, rare }, { 0.4, 0.5 }, Block, 17);
     const std::string message =
-      oracle::MessageOf([&]() { ruc::FindCellContents(pack, Block, 2.0); });
+      oracle::MessageOf([&]() { ruc::FindCellContents(ruc::SharePack(pack, Block), 2.0); });
     const std::size_t at = message.find("CellSize to ");
     ASSERT_NE(at, std::string::npos) << message;
     const double advised = std::stod(message.substr(at + 12));
-    EXPECT_NO_THROW(ruc::FindCellContents(pack, Block, advised)) << message;
+    EXPECT_NO_THROW(ruc::FindCellContents(ruc::SharePack(pack, Block), advised)) << message;
   }
 }
 
@@ -146,6 +147,6 @@ TEST(CellContents, TheLargestSphereNeedsRoom)
 {
   // four spheres of diameter 19 fill no more than a cell of about their own size
   const ruc::SpherePack pack = oracle::RandomPack({ 4, 400 }, { 9.5, 0.1 }, Block, 17);
-  EXPECT_SAYS(ruc::FindCellContents(pack, Block, 13.0),
+  EXPECT_SAYS(ruc::FindCellContents(ruc::SharePack(pack, Block), 13.0),
     "CellSize requires an edge longer than the largest sphere's diameter, 19");
 }

@@ -21,7 +21,7 @@ struct Problem
   Problem()
     : Pack(oracle::RelaxedPack({ 160, 320 }, { 1.0, 0.6 }, oracle::PeriodicCube(14.5), 70))
     , Box(oracle::PeriodicCube(14.5))
-    , Contents(ruc::FindCellContents(this->Pack, this->Box, 60))
+    , Contents(ruc::FindCellContents(ruc::SharePack(this->Pack, this->Box), 60))
     , Target(Measure(this->Pack, this->Box, { 0.15, 24 }))
   {
   }

@@ -8,7 +8,7 @@ TEST(OnePointProbability, IsTheShareOfRandomPoints)
 {
   const ruc::Window box = oracle::PeriodicCube(6.0);
   const ruc::SpherePack pack = oracle::RelaxedPack({ 12, 30 }, { 0.9, 0.6 }, box, 2);
-  const std::vector<double> fractions = ruc::OnePointProbability(pack, box);
+  const std::vector<double> fractions = ruc::OnePointProbability(ruc::SharePack(pack, box));
   ASSERT_EQ(fractions.size(), 3u);
   oracle::Uniform random(9);
   constexpr int samples = 200000;
@@ -47,8 +47,8 @@ TEST(OnePointProbability, CylinderWindow)
   pack.X = pack.Y = pack.Z = { 0.5, 0.1 };
   pack.Radius = { 0.2, 0.1 };
   pack.Mode = { 2, 1 };
-  const std::vector<double> fractions =
-    ruc::OnePointProbability(pack, ruc::Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, 2.0, 3.0));
+  const std::vector<double> fractions = ruc::OnePointProbability(
+    ruc::SharePack(pack, ruc::Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, 2.0, 3.0)));
   const double volume = oracle::Pi * 12.0;
   EXPECT_DOUBLE_EQ(fractions[0], 4.0 / 3.0 * oracle::Pi * 0.001 / volume);
   EXPECT_DOUBLE_EQ(fractions[1], 4.0 / 3.0 * oracle::Pi * 0.008 / volume);

@@ -69,7 +69,7 @@ TEST(PairHistogram, CountedPairsGiveTheSumOfTheirOverlaps)
   const double scale =
     ruc::PairHistogram::FixedPointScale(pack.Size(), cells.MostNeighbours(), 1.0);
   std::vector<std::int64_t> counts(histogram.Size(), 0);
-  ruc::CountPairs(histogram, cells, typeOfPlace, box, scale, 0, cells.Size(), counts.data());
+  ruc::CountPairs(histogram, cells, typeOfPlace, scale, 0, cells.Size(), counts.data());
 
   std::vector<std::vector<double>> expected(3, std::vector<double>(lags.Count + 1, 0.0));
   std::vector<double> pairs(3, 0.0);

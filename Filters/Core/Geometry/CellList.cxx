@@ -57,8 +57,8 @@ CellList::CellList(const SpherePack& pack, const Window& window, double cutoff)
     else
     {
       const auto [low, high] = std::minmax_element(centres[q]->begin(), centres[q]->end());
-      axis.Origin = *low;
-      axis.Edge = std::max(*high - *low, 1e-6 * cutoff);
+      axis.Origin = pack.Empty() ? 0.0 : *low;
+      axis.Edge = std::max(pack.Empty() ? 0.0 : *high - *low, 1e-6 * cutoff);
     }
   }
 
@@ -68,8 +68,8 @@ CellList::CellList(const SpherePack& pack, const Window& window, double cutoff)
   constexpr double rowsPerCutoff = 2.0;
   constexpr double cellsPerRowWidth = 4.0;
   const double volume = this->Axes[0].Edge * this->Axes[1].Edge * this->Axes[2].Edge;
-  double width =
-    std::max(cutoff / rowsPerCutoff, std::cbrt(cellsPerRowWidth * volume / pack.Size()));
+  double width = std::max(cutoff / rowsPerCutoff,
+    std::cbrt(cellsPerRowWidth * volume / std::max<std::size_t>(pack.Size(), 1)));
   const auto cells = [&]()
   {
     double product = 1.0;
@@ -171,6 +171,41 @@ void CellList::FindRanges(std::size_t i, std::vector<Range>& ranges) const
             { begin, stop, x - imageX * ax.Edge, y - imageY * ay.Edge, z - imageZ * az.Edge });
         }
         kx = end;
+      }
+    }
+  }
+}
+
+void CellList::FindRangesAround(const Vector3& point, std::vector<Range>& ranges) const
+{
+  ranges.clear();
+  const Axis &ax = this->Axes[0], &ay = this->Axes[1], &az = this->Axes[2];
+  const double reach = this->Cutoff + 1e-12 * (this->Cutoff + ax.Edge + ay.Edge + az.Edge);
+  const auto outside = [&](const Axis& axis, double c)
+  { return c < axis.Origin - reach || c > axis.Origin + axis.Edge + reach; };
+  if (outside(ax, point[0]) || outside(ay, point[1]) || outside(az, point[2]))
+  {
+    return;
+  }
+  const int lastZ = az.LastCell(point[2], reach);
+  for (int kz = az.FirstCell(point[2], reach); kz <= lastZ; ++kz)
+  {
+    const double dz = az.DistanceTo(point[2], kz);
+    const double reachY = std::sqrt(std::max(reach * reach - dz * dz, 0.0));
+    const int lastY = ay.LastCell(point[1], reachY);
+    for (int ky = ay.FirstCell(point[1], reachY); ky <= lastY; ++ky)
+    {
+      const double dy = ay.DistanceTo(point[1], ky);
+      const double reachX = std::sqrt(std::max(reach * reach - dz * dz - dy * dy, 0.0));
+      const int firstX = ax.FirstCell(point[0], reachX), lastX = ax.LastCell(point[0], reachX);
+      if (firstX <= lastX)
+      {
+        const std::size_t begin = this->CellBegin[this->CellNumber(firstX, ky, kz)];
+        const std::size_t end = this->CellBegin[this->CellNumber(lastX, ky, kz) + 1];
+        if (begin < end)
+        {
+          ranges.push_back({ begin, end, point[0], point[1], point[2] });
+        }
       }
     }
   }

@@ -47,6 +47,12 @@ public:
    */
   void FindRanges(std::size_t i, std::vector<Range>& ranges) const;
 
+  /**
+   * The places of all centres closer to a point than the cut-off, and of others: for lists without
+   * periodic axes. The ranges' X, Y, Z are the point's.
+   */
+  void FindRangesAround(const Vector3& point, std::vector<Range>& ranges) const;
+
   /** No centre can have more than this many others, images included, within the cut-off. */
   std::int64_t MostNeighbours() const;
 

@@ -78,104 +78,130 @@ void SortCanonically(SpherePack& pack)
   Permute(pack.Id, order);
 }
 
-void ValidatePack(const SpherePack& pack, bool withModes)
+const char* const NoSpheres = "The input requires at least one sphere, got no points.";
+
+std::string FindFaultySphere(const SpherePack& pack, bool withModes, std::int64_t total)
 {
-  if (pack.Empty())
-  {
-    throw std::invalid_argument("The input requires at least one sphere, got no points.");
-  }
   for (std::size_t i = 0; i < pack.Size(); ++i)
   {
     if (!(std::isfinite(pack.X[i]) && std::isfinite(pack.Y[i]) && std::isfinite(pack.Z[i])))
     {
-      throw std::invalid_argument(Text("Points require finite coordinates, got (", pack.X[i], ", ",
-        pack.Y[i], ", ", pack.Z[i], ")."));
+      return Text("Points require finite coordinates, got (", pack.X[i], ", ", pack.Y[i], ", ",
+        pack.Z[i], ").");
     }
     if (!(std::isfinite(pack.Radius[i]) && pack.Radius[i] > 0.0))
     {
-      throw std::invalid_argument(Text("Array 'Radius' requires finite values > 0, got ",
-        pack.Radius[i], " for ", At(pack, i), "."));
+      return Text("Array 'Radius' requires finite values > 0, got ", pack.Radius[i], " for ",
+        At(pack, i), ".");
+    }
+    // More modes than spheres cannot be without a gap; this also keeps a wild value from sizing the
+    // table of modes
+    if (withModes && (pack.Mode[i] < 1 || pack.Mode[i] > total))
+    {
+      return Text("Array 'Mode' requires the values 1 to the number of modes without a gap, got ",
+        pack.Mode[i], " for ", At(pack, i), ".");
     }
   }
+  return {};
+}
+
+std::string FindCoincidence(const SpherePack& pack, const Window& window)
+{
   for (std::size_t i = 1; i < pack.Size(); ++i)
   {
     if (pack.Centre(i) == pack.Centre(i - 1))
     {
-      throw std::invalid_argument(Text("Points require distinct centres, got two spheres at (",
-        pack.X[i], ", ", pack.Y[i], ", ", pack.Z[i], ")."));
+      return Text("Points require distinct centres, got two spheres at (", pack.X[i], ", ",
+        pack.Y[i], ", ", pack.Z[i], ")", window.IsPeriodic() ? " or a periodic image of it." : ".");
     }
   }
-  if (!withModes)
-  {
-    return;
-  }
-  std::vector<bool> seen;
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    // More modes than spheres cannot be without a gap; this also keeps a wild value from sizing the
-    // table.
-    if (pack.Mode[i] < 1 || std::size_t(pack.Mode[i]) > pack.Size())
-    {
-      throw std::invalid_argument(
-        Text("Array 'Mode' requires the values 1 to the number of modes without a gap, got ",
-          pack.Mode[i], " for ", At(pack, i), "."));
-    }
-    if (std::size_t(pack.Mode[i]) > seen.size())
-    {
-      seen.resize(pack.Mode[i], false);
-    }
-    seen[pack.Mode[i] - 1] = true;
-  }
-  const auto gap = std::find(seen.begin(), seen.end(), false);
-  if (gap != seen.end())
-  {
-    throw std::invalid_argument(Text("Array 'Mode' requires the values 1 to the number of modes "
-                                     "without a gap, got no sphere of mode ",
-      gap - seen.begin() + 1, " but some of mode ", seen.size(), "."));
-  }
+  return {};
 }
 
-void ValidateWindow(const SpherePack& pack, const Window& window)
+std::string FindModeGap(const std::vector<std::int64_t>& counts)
 {
-  std::size_t outside = 0;
-  std::size_t first = 0;
-  for (std::size_t i = pack.Size(); i-- > 0;)
-  {
-    if (!window.Contains(pack.Centre(i)))
-    {
-      ++outside;
-      first = i;
-    }
-  }
-  if (outside > 0)
-  {
-    throw std::invalid_argument(
-      Text("The ", window.Describe(), " requires every centre inside, got ", outside, " of ",
-        pack.Size(), " outside, such as ", At(pack, first), "."));
-  }
+  const auto gap = std::find(counts.begin(), counts.end(), 0);
+  return gap == counts.end()
+    ? ""
+    : Text("Array 'Mode' requires the values 1 to the number of modes without a gap, got no sphere "
+           "of mode ",
+        gap - counts.begin() + 1, " but some of mode ", counts.size(), ".");
+}
+
+std::string FindNarrowEdge(const SpherePack& pack, const Window& window)
+{
   const double diameter = 2.0 * pack.LargestRadius();
   for (int q = 0; q < 3; ++q)
   {
     if (window.Periodic[q] && !(window.Size[q] > diameter))
     {
-      throw std::invalid_argument(
-        Text("BoxSize requires periodic edges longer than the largest sphere's diameter, ",
-          diameter, ", got ", window.Size[0], " ", window.Size[1], " ", window.Size[2], "."));
+      return Text("BoxSize requires periodic edges longer than the largest sphere's diameter, ",
+        diameter, ", got ", window.Size[0], " ", window.Size[1], " ", window.Size[2], ".");
     }
   }
+  return {};
+}
+
+std::string FindOutside(const SpherePack& pack, const Window& window, std::int64_t& count)
+{
+  count = 0;
+  std::string first;
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    if (!window.Contains(pack.Centre(i)))
+    {
+      first = count++ == 0 ? At(pack, i) : first;
+    }
+  }
+  return first;
+}
+
+std::string OutsideMessage(
+  const Window& window, std::int64_t count, std::int64_t total, const std::string& example)
+{
+  return Text("The ", window.Describe(), " requires every centre inside, got ", count, " of ",
+    total, " outside, such as ", example, ".");
+}
+
+namespace
+{
+void ThrowIf(const std::string& error)
+{
+  if (!error.empty())
+  {
+    throw std::invalid_argument(error);
+  }
+}
+}
+
+void ValidatePack(const SpherePack& pack, bool withModes)
+{
+  ThrowIf(pack.Empty() ? NoSpheres : "");
+  ThrowIf(FindFaultySphere(pack, withModes, static_cast<std::int64_t>(pack.Size())));
+  ThrowIf(FindCoincidence(pack, Window()));
+  if (withModes)
+  {
+    std::vector<std::int64_t> counts(pack.NumberOfModes(), 0);
+    for (int mode : pack.Mode)
+    {
+      ++counts[mode - 1];
+    }
+    ThrowIf(FindModeGap(counts));
+  }
+}
+
+void ValidateWindow(const SpherePack& pack, const Window& window)
+{
+  std::int64_t outside = 0;
+  const std::string example = FindOutside(pack, window, outside);
+  ThrowIf(example.empty() ? "" : OutsideMessage(window, outside, pack.Size(), example));
+  ThrowIf(FindNarrowEdge(pack, window));
   if (window.IsPeriodic())
   {
     SpherePack wrapped = pack;
     WrapIntoBox(wrapped, window);
     SortCanonically(wrapped);
-    for (std::size_t i = 1; i < wrapped.Size(); ++i)
-    {
-      if (wrapped.Centre(i) == wrapped.Centre(i - 1))
-      {
-        throw std::invalid_argument(Text("A periodic box requires each sphere once, got ",
-          At(wrapped, i), " together with its periodic image."));
-      }
-    }
+    ThrowIf(FindCoincidence(wrapped, window));
   }
 }
 

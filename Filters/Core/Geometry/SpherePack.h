@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace ruc
@@ -48,6 +49,25 @@ void ValidatePack(const SpherePack& pack, bool withModes);
  * centres coincide across the border of a periodic box.
  */
 void ValidateWindow(const SpherePack& pack, const Window& window);
+
+// The single checks, for packs that are spread over ranks. Each returns a message, or an empty text
+// where nothing is wrong.
+extern const char* const NoSpheres;
+/** Numbers and, when `withModes`, modes out of range in a pack that is part of one of `total`
+ * spheres. */
+std::string FindFaultySphere(const SpherePack& pack, bool withModes, std::int64_t total);
+/** Two spheres with one centre in a pack in canonical order, wrapped into the window. */
+std::string FindCoincidence(const SpherePack& pack, const Window& window);
+/** A mode below the highest that no sphere has; `counts` of all modes. */
+std::string FindModeGap(const std::vector<std::int64_t>& counts);
+/** A periodic edge that is not longer than the largest sphere's diameter. */
+std::string FindNarrowEdge(const SpherePack& pack, const Window& window);
+/** Names a sphere with its centre outside the window; `count` becomes the number of such spheres.
+ */
+std::string FindOutside(const SpherePack& pack, const Window& window, std::int64_t& count);
+/** The message for `count` such spheres of `total`. */
+std::string OutsideMessage(
+  const Window& window, std::int64_t count, std::int64_t total, const std::string& example);
 
 /** The spheres whose centres lie in the window, in the same order. */
 SpherePack CropToWindow(const SpherePack& pack, const Window& window);

@@ -15,34 +15,11 @@ namespace ruc
 {
 namespace
 {
-struct ModeTotals
-{
-  std::vector<std::size_t> Count;
-  std::vector<double> CubedRadius; // mean of r^3
-};
-
-ModeTotals TotalModes(const SpherePack& pack)
-{
-  ModeTotals totals;
-  totals.Count.resize(pack.NumberOfModes(), 0);
-  totals.CubedRadius.resize(pack.NumberOfModes(), 0.0);
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    ++totals.Count[pack.Mode[i] - 1];
-    totals.CubedRadius[pack.Mode[i] - 1] += pack.Radius[i] * pack.Radius[i] * pack.Radius[i];
-  }
-  for (std::size_t m = 0; m < totals.Count.size(); ++m)
-  {
-    totals.CubedRadius[m] /= totals.Count[m];
-  }
-  return totals;
-}
-
 // The nearest whole numbers to `share` of every mode's count
-std::vector<int> RoundedCounts(const ModeTotals& totals, double share)
+std::vector<int> RoundedCounts(const PackShare& pack, double share)
 {
   std::vector<int> counts;
-  for (std::size_t count : totals.Count)
+  for (std::int64_t count : pack.Count)
   {
     counts.push_back(static_cast<int>(
       std::lround(std::min(count * share, double(std::numeric_limits<int>::max())))));
@@ -50,27 +27,28 @@ std::vector<int> RoundedCounts(const ModeTotals& totals, double share)
   return counts;
 }
 
-CellContents MakeContents(
-  const SpherePack& pack, const Window& window, const ModeTotals& totals, double share)
+CellContents MakeContents(const PackShare& pack, double share)
 {
+  const double windowVolume = pack.Observed.Volume();
   CellContents contents;
-  contents.Count = RoundedCounts(totals, share);
+  contents.Count = RoundedCounts(pack, share);
   double numerator = 0.0;
   double denominator = 0.0;
-  for (std::size_t m = 0; m < totals.Count.size(); ++m)
+  for (std::size_t m = 0; m < pack.Count.size(); ++m)
   {
     if (contents.Count[m] < 1)
     {
-      const std::size_t rarest = *std::min_element(totals.Count.begin(), totals.Count.end());
+      const std::int64_t rarest = *std::min_element(pack.Count.begin(), pack.Count.end());
       throw std::invalid_argument(
         Text("The cell requires at least one sphere of every mode, got none of mode ", m + 1, " (",
-          totals.Count[m], " of the pack's ", pack.Size(), " spheres, ", totals.Count[m] * share,
-          " in a cell of this size): set CellSize to ",
-          1.0001 * std::cbrt(0.5 * window.Volume() / rarest), " or more, or use fewer modes."));
+          pack.Count[m], " of the pack's ", pack.NumberOfSpheres, " spheres, ",
+          pack.Count[m] * share, " in a cell of this size): set CellSize to ",
+          1.0001 * std::cbrt(0.5 * windowVolume / rarest), " or more, or use fewer modes."));
     }
-    contents.Radius.push_back(std::cbrt(totals.CubedRadius[m]));
-    const double fraction = totals.Count[m] * SphereVolume(contents.Radius[m]) / window.Volume();
-    const double volume = contents.Count[m] * totals.CubedRadius[m]; // n_i r_i^3
+    const double cubedRadius = pack.Volume[m] / SphereVolume(1.0) / pack.Count[m];
+    contents.Radius.push_back(std::cbrt(cubedRadius));
+    const double fraction = pack.Volume[m] / windowVolume;
+    const double volume = contents.Count[m] * cubedRadius; // n_i r_i^3
     numerator += volume * volume;
     denominator += fraction * volume;
   }
@@ -91,28 +69,27 @@ int CellContents::NumberOfSpheres() const
   return std::accumulate(this->Count.begin(), this->Count.end(), 0);
 }
 
-CellContents FindCellContents(const SpherePack& pack, const Window& window, double edge)
+CellContents FindCellContents(const PackShare& pack, double edge)
 {
-  return MakeContents(pack, window, TotalModes(pack), edge * edge * edge / window.Volume());
+  return MakeContents(pack, edge * edge * edge / pack.Observed.Volume());
 }
 
-CellContents FindCellContents(const SpherePack& pack, const Window& window, int spheres)
+CellContents FindCellContents(const PackShare& pack, int spheres)
 {
-  const ModeTotals totals = TotalModes(pack);
   const auto total = [&](double share)
   {
-    const std::vector<int> counts = RoundedCounts(totals, share);
+    const std::vector<int> counts = RoundedCounts(pack, share);
     return std::accumulate(counts.begin(), counts.end(), 0.0);
   };
   // The sum of the rounded counts grows with the share: bisect for the least share that reaches it
   double low = 0.0;
-  double high = 2.0 * (spheres + totals.Count.size()) / pack.Size();
+  double high = 2.0 * (spheres + pack.Count.size()) / pack.NumberOfSpheres;
   for (int step = 0; step < 100; ++step)
   {
     const double middle = 0.5 * (low + high);
     (total(middle) < spheres ? low : high) = middle;
   }
-  return MakeContents(pack, window, totals, high);
+  return MakeContents(pack, high);
 }
 
 double OnePointDifference(

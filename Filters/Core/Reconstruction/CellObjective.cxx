@@ -113,7 +113,7 @@ CellObjective::Terms CellObjective::Evaluate(
   this->Sums.assign(this->Histogram.Size() + 1, 0);
   OverChunks(this->Ranks, cells.Size(), this->Sums,
     [&](std::size_t begin, std::size_t end, std::int64_t* sums)
-    { CountPairs(this->Histogram, cells, types, box, scale, begin, end, sums); });
+    { CountPairs(this->Histogram, cells, types, scale, begin, end, sums); });
   if (signal)
   {
     this->Sums.back() = *signal;

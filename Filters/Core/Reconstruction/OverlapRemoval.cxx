@@ -4,6 +4,7 @@
 
 #include "FixedPoint.h"
 #include "Geometry/CellList.h"
+#include "Geometry/PairNeighbourhood.h"
 #include "Geometry/SphereOverlap.h"
 #include "Random.h"
 #include "Reconstruction/Minimise.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace ruc
 {
@@ -56,33 +58,71 @@ void SetCentres(SpherePack& pack, const Window& box, const double* centres)
 }
 }
 
+namespace
+{
+// Spheres so close are looked at for PackOverlap::Deepest
+constexpr double Near = 1.01;
+
+// Adds pairs of spheres up. A sphere shares less than its own volume with each of its neighbours;
+// in fixed point the sum is the same in whatever order the pairs come.
+struct OverlapSum
+{
+  explicit OverlapSum(double totalVolume)
+    : Scale(std::ldexp(1.0, 50 - std::ilogb(totalVolume)))
+  {
+  }
+  void Add(double a, double b, double d)
+  {
+    this->Deepest = std::max(this->Deepest, (a + b - d) / (a + b));
+    if (d < a + b)
+    {
+      ++this->Pairs;
+      this->Shared +=
+        RoundToFixedPoint(this->Scale * LensVolume(std::min(a, b), std::max(a, b), d));
+    }
+  }
+  double Scale;
+  double Deepest = -1.0;
+  std::int64_t Pairs = 0, Shared = 0;
+};
+}
+
 PackOverlap MeasureOverlap(const SpherePack& pack, const Window& window)
 {
   SpherePack wrapped = pack;
   WrapIntoBox(wrapped, window);
-  PackOverlap overlap;
   double total = 0.0;
   for (double radius : pack.Radius)
   {
     total += SphereVolume(radius);
   }
-  // A sphere of the pack shares less than its own volume with each of its neighbours; in fixed
-  // point the sum is the same in whatever order the cells give the pairs.
-  const double scale = std::ldexp(1.0, 50 - std::ilogb(total));
-  std::int64_t shared = 0;
-  ForEachContact(wrapped, window, 1.01,
+  OverlapSum sum(total);
+  ForEachContact(wrapped, window, Near,
     [&](std::size_t i, std::size_t j, double, double, double, double d)
+    { sum.Add(wrapped.Radius[i], wrapped.Radius[j], d); });
+  return { sum.Shared / sum.Scale / total * 100.0, sum.Pairs, sum.Deepest };
+}
+
+PackOverlap MeasureOverlap(const PackShare& share, Communicator& ranks)
+{
+  const double total = std::accumulate(share.Volume.begin(), share.Volume.end(), 0.0);
+  OverlapSum sum(total);
+  const PairNeighbourhood pairs(share, 2.0 * Near * share.LargestRadius, ranks);
+  pairs.ForEachPair(0, pairs.Size(),
+    [&](std::size_t i, const PairNeighbourhood::Part& part, std::size_t j, double, double, double,
+      double d2)
     {
-      const double contact = wrapped.Radius[i] + wrapped.Radius[j];
-      overlap.Deepest = std::max(overlap.Deepest, (contact - d) / contact);
-      if (d < contact)
+      const double contact = share.Own.Radius[i] + part.Pack.Radius[j];
+      if (d2 < Near * contact * (Near * contact))
       {
-        ++overlap.Pairs;
-        shared += RoundToFixedPoint(scale * LensVolume(wrapped.Radius[i], wrapped.Radius[j], d));
+        sum.Add(share.Own.Radius[i], part.Pack.Radius[j], std::sqrt(d2));
       }
     });
-  overlap.Percent = shared / scale / total * 100.0;
-  return overlap;
+  std::int64_t counts[2] = { sum.Pairs, sum.Shared };
+  ranks.Sum(counts, 2);
+  double nearest = -sum.Deepest;
+  ranks.Minimum(&nearest, 1);
+  return { counts[1] / sum.Scale / total * 100.0, counts[0], -nearest };
 }
 
 bool RemoveOverlap(

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Geometry/SpherePack.h"
+#include "Communicator.h"
+#include "Geometry/PackShare.h"
 
 #include <cstdint>
 #include <functional>
@@ -23,8 +24,10 @@ struct PackOverlap
   bool IsNone() const { return this->Deepest <= 1e-12; }
 };
 
-/** `pack` in `window` with the periodic axes wrapped. */
 PackOverlap MeasureOverlap(const SpherePack& pack, const Window& window);
+
+/** Collective: of a pack that is spread over ranks; the same on every rank. */
+PackOverlap MeasureOverlap(const PackShare& share, Communicator& ranks);
 
 /**
  * Moves the centres of a pack in a periodic box apart until no two spheres overlap, by minimising

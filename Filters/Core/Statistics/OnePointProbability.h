@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Geometry/SpherePack.h"
+#include "Geometry/PackShare.h"
 
 #include <vector>
 
@@ -10,7 +10,8 @@ namespace ruc
 {
 /**
  * Volume fractions c_r of the modes 1…N_p and, last, of the matrix: the volume of the spheres with
- * centres in the window over that of the window, c_m = 1 - sum c_r. The pack in canonical order.
+ * centres in the window over that of the window, c_m = 1 - sum c_r. Of the whole pack, the same on
+ * every rank.
  */
-std::vector<double> OnePointProbability(const SpherePack& pack, const Window& window);
+std::vector<double> OnePointProbability(const PackShare& share);
 }

@@ -26,27 +26,31 @@ struct Chunk
   double Weight[ChunkSize];
 };
 
+// The displacement is (centre - place) + shift, see PairNeighbourhood
 RUC_VECTOR_CLONES
-void FindDistances(Chunk& chunk, double x, double y, double z)
+void FindDistances(Chunk& chunk, const double* place, const double* shift)
 {
   const double *cx = chunk.X, *cy = chunk.Y, *cz = chunk.Z;
+  const double x = place[0], y = place[1], z = place[2];
+  const double sx = shift[0], sy = shift[1], sz = shift[2];
   const int size = static_cast<int>(chunk.Size);
 #pragma GCC ivdep
   for (int k = 0; k < size; ++k)
   {
-    const double dx = cx[k] - x;
-    const double dy = cy[k] - y;
-    const double dz = cz[k] - z;
+    const double dx = (cx[k] - x) + sx;
+    const double dy = (cy[k] - y) + sy;
+    const double dz = (cz[k] - z) + sz;
     chunk.Distance[k] = std::sqrt(dx * dx + dy * dy + dz * dz);
   }
 }
 
 // The set covariance of a box is the product of (edge - loss x |displacement|); loss is 0 along a
-// periodic axis.
+// periodic axis, the only ones with a shift.
 RUC_VECTOR_CLONES
-void WeighByBox(Chunk& chunk, double x, double y, double z, const double* edge, const double* loss,
-  double numerator)
+void WeighByBox(
+  Chunk& chunk, const double* place, const double* edge, const double* loss, double numerator)
 {
+  const double x = place[0], y = place[1], z = place[2];
   const double *cx = chunk.X, *cy = chunk.Y, *cz = chunk.Z;
   const double ex = edge[0], ey = edge[1], ez = edge[2];
   const double lx = loss[0], ly = loss[1], lz = loss[2];
@@ -109,15 +113,31 @@ void AddToHistogram(
 }
 }
 
-void CountPairs(const PairHistogram& classes, const CellList& cells,
-  const std::vector<std::int32_t>& types, const Window& window, double scale, std::size_t begin,
-  std::size_t end, std::int64_t* histogram)
+namespace
 {
-  const bool cylinder = window.GetShape() == Window::Shape::Cylinder;
-  const double numerator = scale * window.Volume();
-  const double loss[3] = { window.Periodic[0] ? 0.0 : 1.0, window.Periodic[1] ? 0.0 : 1.0,
-    window.Periodic[2] ? 0.0 : 1.0 };
-  const double cutoff = cells.GetCutoff();
+constexpr double NoShift[3] = { 0.0, 0.0, 0.0 };
+
+// Hands the centres [begin, end) of a cell list to visit(chunk, first) in chunks
+template <class Visit>
+void ForEachChunk(Chunk& chunk, const CellList& cells, const std::int32_t* types, std::size_t begin,
+  std::size_t end, Visit&& visit)
+{
+  for (std::size_t from = begin; from < end; from += ChunkSize)
+  {
+    chunk.Size = std::min(ChunkSize, end - from);
+    chunk.X = &cells.X[from];
+    chunk.Y = &cells.Y[from];
+    chunk.Z = &cells.Z[from];
+    chunk.Type = &types[from];
+    visit(from);
+  }
+}
+}
+
+void CountPairs(const PairHistogram& classes, const CellList& cells,
+  const std::vector<std::int32_t>& types, double scale, std::size_t begin, std::size_t end,
+  std::int64_t* histogram)
+{
   Chunk chunk;
   std::fill(std::begin(chunk.Weight), std::end(chunk.Weight), scale);
   std::vector<CellList::Range> ranges;
@@ -126,29 +146,55 @@ void CountPairs(const PairHistogram& classes, const CellList& cells,
     cells.FindRanges(i, ranges);
     for (const CellList::Range& range : ranges)
     {
-      for (std::size_t from = range.Begin; from < range.End; from += ChunkSize)
-      {
-        chunk.Size = std::min(ChunkSize, range.End - from);
-        chunk.X = &cells.X[from];
-        chunk.Y = &cells.Y[from];
-        chunk.Z = &cells.Z[from];
-        chunk.Type = &types[from];
-        FindDistances(chunk, range.X, range.Y, range.Z);
-        for (std::size_t k = 0; cylinder && k < chunk.Size; ++k)
+      const double place[3] = { range.X, range.Y, range.Z };
+      ForEachChunk(chunk, cells, types.data(), range.Begin, range.End,
+        [&](std::size_t)
         {
-          if (chunk.Distance[k] < cutoff)
+          FindDistances(chunk, place, NoShift);
+          AddToHistogram(chunk, cells.GetCutoff(), classes.LookupRow(types[i]), histogram);
+        });
+    }
+  }
+}
+
+void CountPairs(const PairHistogram& classes, const PairNeighbourhood& pairs,
+  const std::vector<std::vector<std::int32_t>>& types, const Window& window, double scale,
+  std::size_t begin, std::size_t end, std::int64_t* histogram)
+{
+  const bool cylinder = window.GetShape() == Window::Shape::Cylinder;
+  const double numerator = scale * window.Volume();
+  const double loss[3] = { window.Periodic[0] ? 0.0 : 1.0, window.Periodic[1] ? 0.0 : 1.0,
+    window.Periodic[2] ? 0.0 : 1.0 };
+  const double cutoff = pairs.GetCutoff();
+  Chunk chunk;
+  std::fill(std::begin(chunk.Weight), std::end(chunk.Weight), scale);
+  std::vector<PairNeighbourhood::Range> ranges;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const double place[3] = { pairs.Own().X[i], pairs.Own().Y[i], pairs.Own().Z[i] };
+    pairs.FindRanges(i, ranges);
+    for (const PairNeighbourhood::Range& range : ranges)
+    {
+      const PairNeighbourhood::Part& part = pairs.Parts[range.Part];
+      ForEachChunk(chunk, part.Cells, types[range.Part].data(), range.Begin, range.End,
+        [&](std::size_t)
+        {
+          FindDistances(chunk, place, part.Shift.data());
+          for (std::size_t k = 0; cylinder && k < chunk.Size; ++k)
           {
-            chunk.Weight[k] = numerator /
-              window.SetCovariance(
-                chunk.X[k] - range.X, chunk.Y[k] - range.Y, chunk.Z[k] - range.Z);
+            if (chunk.Distance[k] < cutoff)
+            {
+              chunk.Weight[k] = numerator /
+                window.SetCovariance(
+                  chunk.X[k] - place[0], chunk.Y[k] - place[1], chunk.Z[k] - place[2]);
+            }
           }
-        }
-        if (!cylinder && !window.IsFullyPeriodic())
-        {
-          WeighByBox(chunk, range.X, range.Y, range.Z, window.Size.data(), loss, numerator);
-        }
-        AddToHistogram(chunk, cutoff, classes.LookupRow(types[i]), histogram);
-      }
+          if (!cylinder && !window.IsFullyPeriodic())
+          {
+            WeighByBox(chunk, place, window.Size.data(), loss, numerator);
+          }
+          AddToHistogram(chunk, cutoff, classes.LookupRow(types[0][i]), histogram);
+        });
     }
   }
 }
@@ -225,17 +271,13 @@ void AddPairForces(const PairHistogram& classes, const CellList& cells,
     for (const CellList::Range& range : ranges)
     {
       const double centre[4] = { range.X, range.Y, range.Z, 0.0 };
-      for (std::size_t from = range.Begin; from < range.End; from += ChunkSize)
-      {
-        chunk.Size = std::min(ChunkSize, range.End - from);
-        chunk.X = &cells.X[from];
-        chunk.Y = &cells.Y[from];
-        chunk.Z = &cells.Z[from];
-        chunk.Type = &types[from];
-        FindDistances(chunk, range.X, range.Y, range.Z);
-        AddForces(chunk, cells.GetCutoff(), classes.LookupRow(types[i]), slopes.data(), scale,
-          centre, &places[4 * from], gradient + 4 * i, gradient + 4 * from);
-      }
+      ForEachChunk(chunk, cells, types.data(), range.Begin, range.End,
+        [&](std::size_t from)
+        {
+          FindDistances(chunk, centre, NoShift);
+          AddForces(chunk, cells.GetCutoff(), classes.LookupRow(types[i]), slopes.data(), scale,
+            centre, &places[4 * from], gradient + 4 * i, gradient + 4 * from);
+        });
     }
   }
 }

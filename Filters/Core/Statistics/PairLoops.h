@@ -2,20 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Geometry/PairNeighbourhood.h"
 #include "Statistics/PairHistogram.h"
 
 namespace ruc
 {
 /**
  * Adds the pairs that centres [begin, end) of `cells` make to `histogram` (PairHistogram::Size()
- * integers).
- *
- * `types` holds the type of every sorted place. A pair weighs scale x V/gamma(d) with V the volume
- * of `window` and gamma its set covariance: 1 x scale where all axes are periodic.
+ * integers), each with the weight `scale`. `types` holds the type of every sorted place. For a cell
+ * list of a fully periodic box.
  */
 void CountPairs(const PairHistogram& classes, const CellList& cells,
-  const std::vector<std::int32_t>& types, const Window& window, double scale, std::size_t begin,
-  std::size_t end, std::int64_t* histogram);
+  const std::vector<std::int32_t>& types, double scale, std::size_t begin, std::size_t end,
+  std::int64_t* histogram);
+
+/**
+ * The same for the own centres [begin, end) of a share of a pack and its surroundings, `types` for
+ * every part. A pair weighs scale x V/gamma(d) with V the volume of `window` and gamma its set
+ * covariance: 1 x scale where all axes are periodic.
+ */
+void CountPairs(const PairHistogram& classes, const PairNeighbourhood& pairs,
+  const std::vector<std::vector<std::int32_t>>& types, const Window& window, double scale,
+  std::size_t begin, std::size_t end, std::int64_t* histogram);
 
 /**
  * A pair potential in the form that AddPairForces reads: from `potential`, a function on the knots

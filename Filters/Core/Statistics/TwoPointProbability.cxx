@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/TwoPointProbability.h"
 
-#include "FixedPoint.h"
-#include "Geometry/CellList.h"
+#include "FixedPointSums.h"
+#include "Geometry/PairNeighbourhood.h"
 #include "Geometry/SphereOverlap.h"
 #include "Statistics/OnePointProbability.h"
 #include "Statistics/PairHistogram.h"
@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 namespace ruc
@@ -131,17 +132,29 @@ double LeastSetCovariance(const Window& window, double reach)
   return least;
 }
 
-// Every type of sphere that occurs, once and in order
-std::vector<SphereType> FindTypes(const SpherePack& pack)
+// Every type of sphere that occurs on any rank, once and in order; more than MostTypes where there
+// are more, but not all of them
+std::vector<SphereType> FindTypes(const SpherePack& own, Communicator& ranks)
 {
-  std::vector<SphereType> types;
-  for (std::size_t i = 0; i < pack.Size(); ++i)
+  std::set<SphereType> types;
+  for (std::size_t i = 0; i < own.Size() && types.size() <= MostTypes; ++i)
   {
-    types.push_back({ pack.Mode[i], pack.Radius[i] });
+    types.insert({ own.Mode[i], own.Radius[i] });
   }
-  std::sort(types.begin(), types.end());
-  types.erase(std::unique(types.begin(), types.end()), types.end());
-  return types;
+  std::vector<double> numbers;
+  for (const SphereType& type : types)
+  {
+    numbers.insert(numbers.end(), { double(type.Mode), type.Radius });
+  }
+  for (const std::vector<double>& others :
+    ranks.Exchange(std::vector<std::vector<double>>(ranks.Size(), numbers)))
+  {
+    for (std::size_t n = 0; n < others.size(); n += 2)
+    {
+      types.insert({ static_cast<int>(others[n]), others[n + 1] });
+    }
+  }
+  return { types.begin(), types.end() };
 }
 }
 
@@ -149,103 +162,108 @@ std::vector<SphereType> FindTypes(const SpherePack& pack)
 class ExactPairSum::Method
 {
 public:
-  Method(const SpherePack& pack, const Window& window, const LagGrid& lags,
-    std::vector<SphereType> types)
-    : Pack(pack)
-    , Observed(window)
+  Method(const PackShare& share, const LagGrid& lags, double cutoff, Communicator& ranks)
+    : Totals(share)
     , Lags(lags)
-    , Types(std::move(types))
+    , Pairs(share, cutoff, ranks)
   {
-    WrapIntoBox(this->Pack, window);
+    this->Totals.Own = {}; // it is the first part of the pairs
+    const Window& window = share.Observed;
+    const double heaviest =
+      window.IsFullyPeriodic() ? 1.0 : window.Volume() / LeastSetCovariance(window, cutoff);
+    this->Scale = std::ldexp(1.0, FixedPointSums::TermBits - 2 - std::ilogb(heaviest));
+    // So many centres' pairs are added before the sums look whether they have to carry
+    const std::int64_t neighbours = std::max<std::int64_t>(this->Pairs.MostNeighbours() + 1, 1);
+    ranks.ThrowIfAny(neighbours <= FixedPointSums::MostTerms
+        ? ""
+        : Text("MaximumLag requires fewer than ", FixedPointSums::MostTerms,
+            " spheres around one, got a MaximumLag of ", lags.Maximum(), "."));
+    this->Step = static_cast<std::size_t>(
+      std::clamp<std::int64_t>(FixedPointSums::MostTerms / neighbours, 1, ChunkOfCentres));
+    this->TermsOfStep = neighbours * static_cast<std::int64_t>(this->Step);
   }
   virtual ~Method() = default;
 
+  // Numbers summed in fixed point
   virtual std::size_t SumsSize() const = 0;
-  virtual void AddChunk(std::size_t begin, std::size_t end, std::int64_t* sums) const = 0;
-  // S_rs x V of the pairs i != j
-  virtual void AddPairs(
-    const std::vector<std::int64_t>& sums, TwoPointProbability& result) const = 0;
-
-  void MakeCells(double cutoff)
-  {
-    this->Cells = std::make_unique<CellList>(this->Pack, this->Observed, cutoff);
-    this->HeaviestPair = this->Observed.IsFullyPeriodic()
-      ? 1.0
-      : this->Observed.Volume() / LeastSetCovariance(this->Observed, cutoff);
-  }
+  // Whole numbers summed beside them
+  virtual std::size_t CountsSize() const { return 0; }
+  // Adds the pairs of own centres
+  virtual void Add(
+    std::size_t begin, std::size_t end, std::int64_t* sums, std::int64_t* counts) const = 0;
+  // S_rs x V of the particles
+  virtual void AddResult(
+    const double* sums, const std::int64_t* counts, TwoPointProbability& result) const = 0;
 
   TwoPointProbability Result(const std::vector<std::int64_t>& sums) const
   {
-    TwoPointProbability result(this->Pack.NumberOfModes(), this->Lags);
-    result.Fractions = OnePointProbability(this->Pack, this->Observed);
-    this->AddPairs(sums, result);
-    // The sphere with itself
-    std::vector<std::size_t> spheres(this->Types.size(), 0);
-    for (std::size_t i = 0; i < this->Pack.Size(); ++i)
+    TwoPointProbability result(this->Totals.NumberOfModes(), this->Lags);
+    const double volume = this->Totals.Observed.Volume();
+    result.Fractions = OnePointProbability(this->Totals);
+    std::vector<double> values(this->SumsSize());
+    for (std::size_t n = 0; n < values.size(); ++n)
     {
-      ++spheres[this->TypeOf(i)];
+      values[n] = WideValue(&sums[2 * n]) / this->Scale;
     }
-    for (std::size_t t = 0; t < this->Types.size(); ++t)
+    this->AddResult(values.data(), sums.data() + 2 * values.size(), result);
+    for (std::vector<double>& s : result.Values)
     {
-      const SphereType& type = this->Types[t];
-      std::vector<double>& s = result.S(type.Mode - 1, type.Mode - 1);
-      for (int k = 0; k <= this->Lags.Count && k * this->Lags.Spacing < 2.0 * type.Radius; ++k)
+      for (double& value : s)
       {
-        s[k] += spheres[t] * LensVolume(type.Radius, type.Radius, k * this->Lags.Spacing);
-      }
-    }
-    for (std::vector<double>& values : result.Values)
-    {
-      for (double& value : values)
-      {
-        value /= this->Observed.Volume();
+        value /= volume;
       }
     }
     result.CompleteMatrix();
     return result;
   }
 
-  std::size_t TypeOf(std::size_t i) const
-  {
-    const SphereType type = { this->Pack.Mode[i], this->Pack.Radius[i] };
-    return std::lower_bound(this->Types.begin(), this->Types.end(), type) - this->Types.begin();
-  }
-
-  SpherePack Pack;
-  Window Observed;
+  PackShare Totals; // without the spheres
   LagGrid Lags;
-  std::vector<SphereType> Types;
-  std::unique_ptr<CellList> Cells;
-  double HeaviestPair = 1.0; // V / gamma
+  PairNeighbourhood Pairs;
+  double Scale; // twice the weight of a pair is at most 2^TermBits
+  std::size_t Step;
+  std::int64_t TermsOfStep;
 };
 
 // Few types: a histogram of the distances for every pair of types
 class ExactPairSum::Tabulated : public ExactPairSum::Method
 {
 public:
-  Tabulated(const SpherePack& pack, const Window& window, const LagGrid& lags,
-    std::vector<SphereType> types)
-    : Method(pack, window, lags, std::move(types))
-    , Histogram(this->Types, lags)
+  Tabulated(const PackShare& share, const LagGrid& lags, const std::vector<SphereType>& types,
+    Communicator& ranks)
+    : Method(share, lags, lags.Maximum() + 2.0 * share.LargestRadius, ranks)
+    , Types(types)
+    , Histogram(types, lags)
   {
-    this->MakeCells(this->Histogram.GetCutoff());
-    this->Scale = PairHistogram::FixedPointScale(
-      pack.Size(), this->Cells->MostNeighbours(), this->HeaviestPair);
-    for (std::uint32_t i : this->Cells->Index)
+    for (const PairNeighbourhood::Part& part : this->Pairs.Parts)
     {
-      this->TypeOfPlace.push_back(static_cast<std::int32_t>(this->TypeOf(i)));
+      std::vector<std::int32_t> typeOfPlace;
+      for (std::uint32_t i : part.Cells.Index)
+      {
+        const SphereType type = { part.Pack.Mode[i], part.Pack.Radius[i] };
+        typeOfPlace.push_back(static_cast<std::int32_t>(
+          std::lower_bound(types.begin(), types.end(), type) - types.begin()));
+      }
+      this->TypeOfPlace.push_back(std::move(typeOfPlace));
     }
   }
 
   std::size_t SumsSize() const override { return this->Histogram.Size(); }
+  std::size_t CountsSize() const override { return this->Types.size(); }
 
-  void AddChunk(std::size_t begin, std::size_t end, std::int64_t* sums) const override
+  void Add(
+    std::size_t begin, std::size_t end, std::int64_t* sums, std::int64_t* counts) const override
   {
-    CountPairs(this->Histogram, *this->Cells, this->TypeOfPlace, this->Observed, this->Scale, begin,
-      end, sums);
+    CountPairs(this->Histogram, this->Pairs, this->TypeOfPlace, this->Totals.Observed, this->Scale,
+      begin, end, sums);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      ++counts[this->TypeOfPlace.front()[i]];
+    }
   }
 
-  void AddPairs(const std::vector<std::int64_t>& sums, TwoPointProbability& result) const override
+  void AddResult(
+    const double* sums, const std::int64_t* counts, TwoPointProbability& result) const override
   {
     for (int c = 0; c < this->Histogram.NumberOfClasses(); ++c)
     {
@@ -253,51 +271,63 @@ public:
       const int r = this->Histogram.LowerType(c).Mode - 1;
       const int s = this->Histogram.HigherType(c).Mode - 1;
       // Within a mode both orders of a pair count.
-      const double factor = (r == s ? 2.0 : 1.0) / this->Scale;
+      const double factor = r == s ? 2.0 : 1.0;
       std::vector<double> weights(kernel.Size());
-      std::transform(sums.begin() + this->Histogram.Begin(c),
-        sums.begin() + this->Histogram.Begin(c + 1), weights.begin(),
-        [&](std::int64_t sum) { return factor * sum; });
+      std::transform(sums + this->Histogram.Begin(c), sums + this->Histogram.Begin(c + 1),
+        weights.begin(), [&](double sum) { return factor * sum; });
       kernel.AddOverlap(weights.data(), result.S(r, s).data());
+    }
+    // The sphere with itself
+    for (std::size_t t = 0; t < this->Types.size(); ++t)
+    {
+      const SphereType& type = this->Types[t];
+      std::vector<double>& s = result.S(type.Mode - 1, type.Mode - 1);
+      for (int k = 0; k <= this->Lags.Count && k * this->Lags.Spacing < 2.0 * type.Radius; ++k)
+      {
+        s[k] += counts[t] * LensVolume(type.Radius, type.Radius, k * this->Lags.Spacing);
+      }
     }
   }
 
 private:
+  std::vector<SphereType> Types;
   PairHistogram Histogram;
-  std::vector<std::int32_t> TypeOfPlace;
-  double Scale;
+  std::vector<std::vector<std::int32_t>> TypeOfPlace; // of every part
 };
 
 namespace
 {
-// Adds factor x h_ab(d - r_k) or, for overlapping spheres, factor x [h_ab(d - r_k) - h_ab(d +
-// r_k)], k = 1…K
+// Adds factor x g_ab(r_k; d), k = 1…K, to integers; inverse[k] = 1 / (2 r_k)
 RUC_VECTOR_CLONES
-void AddOverlapMoments(
-  double a, double b, double d, double factor, const LagGrid& lags, double* sums)
+void AddOverlap(double a, double b, double d, double factor, const LagGrid& lags,
+  const double* inverse, std::int64_t* sums)
 {
   const double contact = a + b;
   const double difference = std::abs(a - b);
   const double product = 4.0 * a * b;
-  const auto add = [&](double sign, double centre)
+  const auto moment = [&](double t)
   {
-    const int from = std::max(1, static_cast<int>(std::ceil((centre - contact) / lags.Spacing)));
-    const int to = std::min(lags.Count, static_cast<int>((centre + contact) / lags.Spacing));
-    for (int k = from; k <= to; ++k)
-    {
-      const double t = std::abs(k * lags.Spacing - centre);
-      const double u = std::max(contact - t, 0.0);
-      const double v = std::max(difference - t, 0.0);
-      sums[k] += sign *
-        (u * u * u * (product - contact * u + 0.2 * u * u) +
-          v * v * v * (product + difference * v - 0.2 * v * v));
-    }
+    const double u = std::max(contact - t, 0.0);
+    const double v = std::max(difference - t, 0.0);
+    return u * u * u * (product - contact * u + 0.2 * u * u) +
+      v * v * v * (product + difference * v - 0.2 * v * v);
   };
-  const double scaled = factor * 3.14159265358979323846 / 12.0;
-  add(scaled, d);
+  const double scaled = factor / d * 3.14159265358979323846 / 12.0;
+  // 2 d r g = h(d - r) - h(d + r), the latter only for overlapping spheres
+  const int last = std::min(lags.Count, static_cast<int>((d + contact) / lags.Spacing));
   if (d < contact)
   {
-    add(-scaled, -d);
+    for (int k = 1; k <= last; ++k)
+    {
+      const double r = k * lags.Spacing;
+      sums[k] += RoundToFixedPoint(scaled * inverse[k] * (moment(std::abs(d - r)) - moment(d + r)));
+    }
+    return;
+  }
+  const int first = std::max(1, static_cast<int>(std::ceil((d - contact) / lags.Spacing)));
+  for (int k = first; k <= last; ++k)
+  {
+    sums[k] += RoundToFixedPoint(scaled * inverse[k] * moment(std::abs(d - k * lags.Spacing)));
   }
 }
 }
@@ -306,160 +336,183 @@ void AddOverlapMoments(
 class ExactPairSum::Direct : public ExactPairSum::Method
 {
 public:
-  Direct(const SpherePack& pack, const Window& window, const LagGrid& lags,
-    std::vector<SphereType> types)
-    : Method(pack, window, lags, std::move(types))
-    , Pairs(pack.NumberOfModes(), lags)
+  Direct(const PackShare& share, const LagGrid& lags, Communicator& ranks)
+    : Method(share, lags, lags.Maximum() + 2.0 * share.LargestRadius, ranks)
+    , Numbering(share.NumberOfModes(), lags)
+    , Unit(SphereVolume(share.LargestRadius))
   {
-    this->MakeCells(lags.Maximum() + 2.0 * pack.LargestRadius());
-    // A chunk adds one number for each pair of phases and lag: in units of the largest sphere's
-    // volume, which no overlap exceeds, at most twice the weight of all its pairs.
-    const std::int64_t chunks = static_cast<std::int64_t>(pack.Size() / ChunkOfCentres) + 1;
-    this->Unit = SphereVolume(pack.LargestRadius());
-    this->Scale = PairHistogram::FixedPointScale(
-      chunks, 1, 2.0 * ChunkOfCentres * this->Cells->MostNeighbours() * this->HeaviestPair);
+    for (int k = 0; k <= lags.Count; ++k)
+    {
+      this->Inverse.push_back(k > 0 ? 0.5 / (k * lags.Spacing) : 0.0);
+    }
   }
 
   std::size_t SumsSize() const override
   {
-    return this->Pairs.Values.size() * (this->Lags.Count + 1);
+    return this->Numbering.Values.size() * (this->Lags.Count + 1);
   }
 
-  void AddChunk(std::size_t begin, std::size_t end, std::int64_t* sums) const override
+  // An overlap is at most the largest sphere's volume, the unit of these sums.
+  void Add(std::size_t begin, std::size_t end, std::int64_t* sums, std::int64_t*) const override
   {
-    const CellList& cells = *this->Cells;
-    const std::size_t stride = this->Lags.Count + 1;
-    std::vector<double> moments(this->SumsSize(), 0.0); // sum of 2 r g, and of g at r = 0
-    std::vector<CellList::Range> ranges;
-    for (std::size_t i = begin; i < end; ++i)
+    const SpherePack& own = this->Pairs.Parts.front().Pack;
+    const Window& window = this->Totals.Observed;
+    const double scale = this->Scale / this->Unit;
+    for (std::size_t place = begin; place < end; ++place)
     {
-      const std::size_t first = cells.Index[i];
-      cells.FindRanges(i, ranges);
-      for (const CellList::Range& range : ranges)
+      const std::size_t i = this->Pairs.Own().Index[place];
+      const double radius = own.Radius[i];
+      std::int64_t* self = this->SumsOf(own.Mode[i], own.Mode[i], sums);
+      for (int k = 0; k <= this->Lags.Count && k * this->Lags.Spacing < 2.0 * radius; ++k)
       {
-        for (std::size_t j = range.Begin; j < range.End; ++j)
-        {
-          const double dx = cells.X[j] - range.X, dy = cells.Y[j] - range.Y,
-                       dz = cells.Z[j] - range.Z;
-          const double d = std::sqrt(dx * dx + dy * dy + dz * dz);
-          const std::size_t second = cells.Index[j];
-          const double a = this->Pack.Radius[first], b = this->Pack.Radius[second];
-          if (d >= this->Lags.Maximum() + a + b)
-          {
-            continue;
-          }
-          const double weight = this->Observed.IsFullyPeriodic()
-            ? 1.0
-            : this->Observed.Volume() / this->Observed.SetCovariance(dx, dy, dz);
-          const int r = this->Pack.Mode[first] - 1, s = this->Pack.Mode[second] - 1;
-          const double factor = (r == s ? 2.0 : 1.0) * weight;
-          double* pairMoments = &moments[this->Pairs.PairOf(r, s) * stride];
-          AddOverlapMoments(a, b, d, factor / d, this->Lags, pairMoments);
-          pairMoments[0] += factor * LensVolume(a, b, d);
-        }
+        self[k] += RoundToFixedPoint(scale * LensVolume(radius, radius, k * this->Lags.Spacing));
       }
     }
-    for (std::size_t n = 0; n < moments.size(); ++n)
-    {
-      const std::size_t k = n % stride;
-      const double value = k == 0 ? moments[n] : moments[n] / (2.0 * k * this->Lags.Spacing);
-      sums[n] += RoundToFixedPoint(value / this->Unit * this->Scale);
-    }
+    this->Pairs.ForEachPair(begin, end,
+      [&](std::size_t i, const PairNeighbourhood::Part& part, std::size_t j, double dx, double dy,
+        double dz, double d2)
+      {
+        const double d = std::sqrt(d2);
+        const double a = own.Radius[i], b = part.Pack.Radius[j];
+        if (d >= this->Lags.Maximum() + a + b)
+        {
+          return;
+        }
+        // Within a mode both orders of a pair count.
+        const double orders = own.Mode[i] == part.Pack.Mode[j] ? 2.0 : 1.0;
+        const double factor = scale * orders *
+          (window.IsFullyPeriodic() ? 1.0 : window.Volume() / window.SetCovariance(dx, dy, dz));
+        // The spheres in one order, whichever rank meets them: rounding is not symmetric
+        const double lesser = std::min(a, b), greater = std::max(a, b);
+        std::int64_t* pair = this->SumsOf(own.Mode[i], part.Pack.Mode[j], sums);
+        pair[0] += RoundToFixedPoint(factor * LensVolume(lesser, greater, d));
+        AddOverlap(lesser, greater, d, factor, this->Lags, this->Inverse.data(), pair);
+      });
   }
 
-  void AddPairs(const std::vector<std::int64_t>& sums, TwoPointProbability& result) const override
+  void AddResult(
+    const double* sums, const std::int64_t*, TwoPointProbability& result) const override
   {
     const std::size_t stride = this->Lags.Count + 1;
-    for (std::size_t n = 0; n < sums.size(); ++n)
+    for (std::size_t n = 0; n < this->SumsSize(); ++n)
     {
-      result.Values[n / stride][n % stride] += sums[n] / this->Scale * this->Unit;
+      result.Values[n / stride][n % stride] += sums[n] * this->Unit;
     }
   }
 
 private:
-  TwoPointProbability Pairs; // for its numbering of pairs
+  std::int64_t* SumsOf(int modeA, int modeB, std::int64_t* sums) const
+  {
+    return sums + this->Numbering.PairOf(modeA - 1, modeB - 1) * (this->Lags.Count + 1);
+  }
+
+  TwoPointProbability Numbering;
   double Unit;
-  double Scale;
+  std::vector<double> Inverse;
 };
 
-ExactPairSum::ExactPairSum(const SpherePack& pack, const Window& window, const LagGrid& lags)
+ExactPairSum::ExactPairSum(const PackShare& share, const LagGrid& lags, Communicator& ranks)
 {
+  const int modes = share.NumberOfModes();
   if (lags.Count < 1 || lags.Count > MostLags)
   {
     throw std::invalid_argument(
       Text("NumberOfLags requires 1 <= NumberOfLags <= ", MostLags, ", got ", lags.Count, "."));
   }
   constexpr double mostNumbers = 5e7; // of all functions, 400 MB
-  const double pairs = 0.5 * (pack.NumberOfModes() + 1.0) * (pack.NumberOfModes() + 2.0);
+  const double pairs = 0.5 * (modes + 1.0) * (modes + 2.0);
   if (pairs * (lags.Count + 1.0) > mostNumbers)
   {
-    throw std::invalid_argument(
-      Text("NumberOfLags requires at most ", static_cast<int>(mostNumbers / pairs), " lags for ",
-        pack.NumberOfModes(), " modes, got ", lags.Count, "."));
+    throw std::invalid_argument(Text("NumberOfLags requires at most ",
+      static_cast<int>(mostNumbers / pairs), " lags for ", modes, " modes, got ", lags.Count, "."));
   }
-  const double largest = LargestLag(pack, window);
+  const double largest = LargestLag(share.LargestRadius, share.Observed);
   if (!(largest > 0.0))
   {
     throw std::invalid_argument(
       Text("The window requires edges longer than the largest sphere's diameter, ",
-        2.0 * pack.LargestRadius(), ", got a ", window.Describe(), "."));
+        2.0 * share.LargestRadius, ", got a ", share.Observed.Describe(), "."));
   }
   if (!(lags.Maximum() > 0.0 && lags.Maximum() <= largest * (1.0 + 1e-12)))
   {
     throw std::invalid_argument(Text("MaximumLag requires 0 < MaximumLag <= ", largest,
-      " for this ", window.Describe(), " and spheres of up to ", 2.0 * pack.LargestRadius(),
+      " for this ", share.Observed.Describe(), " and spheres of up to ", 2.0 * share.LargestRadius,
       " diameter, got ", lags.Maximum(), "."));
   }
-  std::vector<SphereType> types = FindTypes(pack);
+  const std::vector<SphereType> types = FindTypes(share.Own, ranks);
   if (types.size() <= MostTypes && PairHistogram::EstimateSize(types, lags) <= LargestHistogram)
   {
-    this->Sum = std::make_unique<Tabulated>(pack, window, lags, std::move(types));
+    this->Sum = std::make_unique<Tabulated>(share, lags, types, ranks);
   }
   else
   {
-    this->Sum = std::make_unique<Direct>(pack, window, lags, std::move(types));
+    this->Sum = std::make_unique<Direct>(share, lags, ranks);
   }
+}
+
+namespace
+{
+Communicator& Serial()
+{
+  static Communicator serial;
+  return serial;
+}
+}
+
+ExactPairSum::ExactPairSum(const SpherePack& pack, const Window& window, const LagGrid& lags)
+  : ExactPairSum(SharePack(pack, window), lags, Serial())
+{
 }
 
 ExactPairSum::~ExactPairSum() = default;
 
-double ExactPairSum::LargestLag(const SpherePack& pack, const Window& window)
+double ExactPairSum::LargestLag(double largestRadius, const Window& window)
 {
   return window.IsFullyPeriodic() ? 4.0 * window.ShortestEdge()
-                                  : (window.Reach() - 2.0 * pack.LargestRadius()) * 0.999;
+                                  : (window.Reach() - 2.0 * largestRadius) * 0.999;
 }
 
 std::size_t ExactPairSum::NumberOfChunks() const
 {
-  return (this->Sum->Cells->Size() + ChunkOfCentres - 1) / ChunkOfCentres;
+  return (this->Sum->Pairs.Size() + ChunkOfCentres - 1) / ChunkOfCentres;
 }
 
 std::size_t ExactPairSum::SumsSize() const
 {
-  return this->Sum->SumsSize();
+  return 2 * this->Sum->SumsSize() + this->Sum->CountsSize();
 }
 
 void ExactPairSum::AddChunks(std::size_t first, std::size_t stride, std::int64_t* sums,
   const std::function<void(double)>& progress) const
 {
   const std::int64_t chunks = static_cast<std::int64_t>(this->NumberOfChunks());
-  const std::size_t centres = this->Sum->Cells->Size();
+  const std::size_t centres = this->Sum->Pairs.Size();
 #pragma omp parallel
   {
-    std::vector<std::int64_t> own(this->SumsSize(), 0);
+    FixedPointSums own(this->Sum->SumsSize());
+    std::vector<std::int64_t> counts(this->Sum->CountsSize(), 0);
 #pragma omp for schedule(dynamic) nowait
     for (std::int64_t chunk = static_cast<std::int64_t>(first); chunk < chunks;
          chunk += static_cast<std::int64_t>(stride))
     {
-      this->Sum->AddChunk(
-        chunk * ChunkOfCentres, std::min((chunk + 1) * ChunkOfCentres, centres), own.data());
+      const std::size_t end = std::min((chunk + 1) * ChunkOfCentres, centres);
+      for (std::size_t i = chunk * ChunkOfCentres; i < end; i += this->Sum->Step)
+      {
+        this->Sum->Add(
+          i, std::min(i + this->Sum->Step, end), own.Take(this->Sum->TermsOfStep), counts.data());
+      }
       if (progress && omp_get_thread_num() == 0)
       {
         progress(double(chunk) / chunks);
       }
     }
+    const std::vector<std::int64_t>& wide = own.Finish();
 #pragma omp critical
-    std::transform(own.begin(), own.end(), sums, sums, std::plus<>());
+    {
+      std::transform(wide.begin(), wide.end(), sums, sums, std::plus<>());
+      std::transform(
+        counts.begin(), counts.end(), sums + wide.size(), sums + wide.size(), std::plus<>());
+    }
   }
 }
 

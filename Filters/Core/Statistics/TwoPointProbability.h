@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Geometry/SpherePack.h"
+#include "Communicator.h"
+#include "Geometry/PackShare.h"
 #include "Statistics/PairKernel.h"
 
 #include <cstdint>
@@ -65,18 +66,22 @@ double TwoPointDifference(const TwoPointProbability& a, const TwoPointProbabilit
  * along periodic axes. It is unbiased for a stationary pack, without clipping spheres at the border
  * of the window. Spheres that overlap are counted twice where they do.
  *
- * The work is a number of chunks; a chunk adds integers to an array of SumsSize(), so the chunks
- * may be shared out in any way and the arrays of different threads and ranks added up. Few sphere
- * types (mode and radius) share tables over the distance, with an error below 1e-6 c_r (1e-5 where
- * lags are much finer than the spheres); many use the closed form for every pair.
+ * The pack may be spread over ranks (PackShare): every rank works on its share and the surroundings
+ * within LargestLag + a + b that it asks the others for. The work is a number of chunks; a chunk
+ * adds integers to an array of SumsSize(), so the chunks may be shared out in any way and the
+ * arrays of different threads and ranks added up. Few sphere types (mode and radius) share tables
+ * over the distance, with an error below 1e-6 c_r (1e-5 where lags are much finer than the
+ * spheres); many use the closed form for every pair.
  */
 class ExactPairSum
 {
 public:
   /**
-   * `pack` must be validated with its window and in canonical order.
-   * Throws std::invalid_argument for lags out of range: see LargestLag().
+   * Collective. Throws std::invalid_argument, the same on every rank, for lags out of range: see
+   * LargestLag().
    */
+  ExactPairSum(const PackShare& share, const LagGrid& lags, Communicator& ranks);
+  /** For one rank that holds all of a pack, in any order. */
   ExactPairSum(const SpherePack& pack, const Window& window, const LagGrid& lags);
   ~ExactPairSum();
 
@@ -85,9 +90,11 @@ public:
    * diameter), so that every pair that matters has a place in the window with some weight left;
    * four times the shortest edge where all axes are periodic.
    */
-  static double LargestLag(const SpherePack& pack, const Window& window);
+  static double LargestLag(double largestRadius, const Window& window);
 
+  /** Of this rank. */
   std::size_t NumberOfChunks() const;
+  /** The same on every rank. */
   std::size_t SumsSize() const;
 
   /**
@@ -97,6 +104,7 @@ public:
   void AddChunks(std::size_t first, std::size_t stride, std::int64_t* sums,
     const std::function<void(double)>& progress = {}) const;
 
+  /** From the sums over all chunks of all ranks. */
   TwoPointProbability Result(const std::vector<std::int64_t>& sums) const;
 
 private:

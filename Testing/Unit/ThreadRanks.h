@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/** @file Ranks within one process, for testing what ranks do together without MPI. */
+
+#include "Communicator.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace oracle
+{
+/** What the ranks share: a barrier and a place for each one's data. */
+class ThreadRanks
+{
+public:
+  explicit ThreadRanks(int size)
+    : Numbers(size)
+    , Integers(size)
+    , Texts(size)
+    , Mail(size)
+    , Size(size)
+  {
+  }
+
+  /** Runs work(communicator) as every rank at once; rethrows what the lowest rank threw. All or
+   * none must throw. */
+  static void Run(int size, const std::function<void(ruc::Communicator&)>& work)
+  {
+    ThreadRanks shared(size);
+    std::vector<std::exception_ptr> errors(size);
+    std::vector<std::thread> threads;
+    for (int rank = 0; rank < size; ++rank)
+    {
+      threads.emplace_back(
+        [&, rank]()
+        {
+          Member member(shared, rank);
+          try
+          {
+            work(member);
+          }
+          catch (...)
+          {
+            errors[rank] = std::current_exception();
+          }
+        });
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+    for (const std::exception_ptr& error : errors)
+    {
+      if (error)
+      {
+        std::rethrow_exception(error);
+      }
+    }
+  }
+
+private:
+  class Member : public ruc::Communicator
+  {
+  public:
+    Member(ThreadRanks& shared, int rank)
+      : Shared(shared)
+      , Own(rank)
+    {
+    }
+    int Rank() const override { return this->Own; }
+    int Size() const override { return this->Shared.Size; }
+    void Sum(std::int64_t* values, std::size_t count) override
+    {
+      this->Reduce(this->Shared.Integers, values, count, [](auto a, auto b) { return a + b; });
+    }
+    void Share(double* values, std::size_t count) override
+    {
+      this->Reduce(this->Shared.Numbers, values, count, [](auto a, auto b) { return a + b; });
+    }
+    void Minimum(std::int32_t* values, std::size_t count) override
+    {
+      std::vector<std::int64_t> wide(values, values + count);
+      this->Reduce(
+        this->Shared.Integers, wide.data(), count, [](auto a, auto b) { return std::min(a, b); });
+      std::copy(wide.begin(), wide.end(), values);
+    }
+    void Minimum(double* values, std::size_t count) override
+    {
+      this->Reduce(
+        this->Shared.Numbers, values, count, [](auto a, auto b) { return std::min(a, b); });
+    }
+    std::vector<std::vector<double>> Exchange(std::vector<std::vector<double>> outgoing) override
+    {
+      this->Shared.Mail[this->Own] = std::move(outgoing);
+      this->Shared.Wait();
+      std::vector<std::vector<double>> incoming;
+      for (int rank = 0; rank < this->Shared.Size; ++rank)
+      {
+        incoming.push_back(this->Shared.Mail[rank][this->Own]);
+      }
+      this->Shared.Wait();
+      return incoming;
+    }
+    void ThrowIfAny(const std::string& error) override
+    {
+      this->Shared.Texts[this->Own] = error;
+      this->Shared.Wait();
+      const std::vector<std::string> texts = this->Shared.Texts;
+      this->Shared.Wait();
+      for (const std::string& text : texts)
+      {
+        ruc::Communicator::ThrowIfAny(text);
+      }
+    }
+
+  private:
+    template <class Value, class Operation>
+    void Reduce(std::vector<std::vector<Value>>& places, Value* values, std::size_t count,
+      Operation&& operation)
+    {
+      places[this->Own].assign(values, values + count);
+      this->Shared.Wait();
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        values[n] = places[0][n];
+        for (int rank = 1; rank < this->Shared.Size; ++rank)
+        {
+          values[n] = operation(values[n], places[rank][n]);
+        }
+      }
+      this->Shared.Wait();
+    }
+
+    ThreadRanks& Shared;
+    int Own;
+  };
+
+  void Wait()
+  {
+    std::unique_lock<std::mutex> lock(this->Mutex);
+    const std::size_t round = this->Round;
+    if (++this->Waiting == this->Size)
+    {
+      this->Waiting = 0;
+      ++this->Round;
+      this->Condition.notify_all();
+      return;
+    }
+    this->Condition.wait(lock, [&]() { return this->Round != round; });
+  }
+
+  std::vector<std::vector<double>> Numbers;
+  std::vector<std::vector<std::int64_t>> Integers;
+  std::vector<std::string> Texts;
+  std::vector<std::vector<std::vector<double>>> Mail;
+  int Size;
+  int Waiting = 0;
+  std::size_t Round = 0;
+  std::mutex Mutex;
+  std::condition_variable Condition;
+};
+}
