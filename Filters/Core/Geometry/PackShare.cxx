@@ -69,23 +69,29 @@ void FindTotals(PackShare& share, Communicator& ranks)
   ranks.Minimum(most, 2);
   share.LargestRadius = -most[0];
   const std::size_t modes = static_cast<std::size_t>(-most[1]);
-  // Sums of r^3 in units of the largest, in fixed point: equal for any sharing
+  // Sums of r^3 and r^2 in units of the largest, in fixed point: equal for any sharing
   constexpr double scale = 0x1p50;
-  std::vector<std::int64_t> sums(3 * modes, 0);
+  struct Mode
+  {
+    std::int64_t Count, Cubes[2], Squares[2];
+  };
+  constexpr std::size_t numbers = sizeof(Mode) / sizeof(std::int64_t);
+  std::vector<Mode> sums(modes, Mode{});
   for (std::size_t i = 0; i < own.Size(); ++i)
   {
-    const std::size_t mode = own.Mode.empty() ? 0 : own.Mode[i] - 1;
+    Mode& mode = sums[own.Mode.empty() ? 0 : own.Mode[i] - 1];
     const double ratio = own.Radius[i] / share.LargestRadius;
-    ++sums[3 * mode];
-    AddWide(RoundToFixedPoint(scale * ratio * ratio * ratio), &sums[3 * mode + 1]);
+    ++mode.Count;
+    AddWide(RoundToFixedPoint(scale * ratio * ratio * ratio), mode.Cubes);
+    AddWide(RoundToFixedPoint(scale * ratio * ratio), mode.Squares);
   }
-  ranks.Sum(sums.data(), sums.size());
-  share.Count.resize(modes);
-  share.Volume.resize(modes);
-  for (std::size_t m = 0; m < modes; ++m)
+  ranks.Sum(&sums.front().Count, numbers * modes);
+  const double radius = share.LargestRadius;
+  for (const Mode& mode : sums)
   {
-    share.Count[m] = sums[3 * m];
-    share.Volume[m] = SphereVolume(share.LargestRadius) * (WideValue(&sums[3 * m + 1]) / scale);
+    share.Count.push_back(mode.Count);
+    share.Volume.push_back(SphereVolume(radius) * (WideValue(mode.Cubes) / scale));
+    share.Surface.push_back(3.0 / radius * SphereVolume(radius) * (WideValue(mode.Squares) / scale));
   }
 }
 }

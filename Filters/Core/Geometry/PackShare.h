@@ -27,6 +27,7 @@ struct PackShare
   double LargestRadius = 0.0;
   std::vector<std::int64_t> Count; // spheres of every mode; one mode where the pack has none
   std::vector<double> Volume;      // of the spheres of every mode
+  std::vector<double> Surface;     // likewise
 
   int NumberOfModes() const { return static_cast<int>(this->Count.size()); }
   /** (sum d^3 / number)^(1/3) */

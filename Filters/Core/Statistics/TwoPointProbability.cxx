@@ -411,9 +411,8 @@ private:
   std::vector<double> Inverse;
 };
 
-ExactPairSum::ExactPairSum(const PackShare& share, const LagGrid& lags, Communicator& ranks)
+void ExactPairSum::CheckNumberOfLags(int modes, const LagGrid& lags)
 {
-  const int modes = share.NumberOfModes();
   if (lags.Count < 1 || lags.Count > MostLags)
   {
     throw std::invalid_argument(
@@ -426,6 +425,11 @@ ExactPairSum::ExactPairSum(const PackShare& share, const LagGrid& lags, Communic
     throw std::invalid_argument(Text("NumberOfLags requires at most ",
       static_cast<int>(mostNumbers / pairs), " lags for ", modes, " modes, got ", lags.Count, "."));
   }
+}
+
+void ExactPairSum::CheckLags(const PackShare& share, const LagGrid& lags)
+{
+  CheckNumberOfLags(share.NumberOfModes(), lags);
   const double largest = LargestLag(share.LargestRadius, share.Observed);
   if (!(largest > 0.0))
   {
@@ -439,6 +443,11 @@ ExactPairSum::ExactPairSum(const PackShare& share, const LagGrid& lags, Communic
       " for this ", share.Observed.Describe(), " and spheres of up to ", 2.0 * share.LargestRadius,
       " diameter, got ", lags.Maximum(), "."));
   }
+}
+
+ExactPairSum::ExactPairSum(const PackShare& share, const LagGrid& lags, Communicator& ranks)
+{
+  CheckLags(share, lags);
   const std::vector<SphereType> types = FindTypes(share.Own, ranks);
   if (types.size() <= MostTypes && PairHistogram::EstimateSize(types, lags) <= LargestHistogram)
   {

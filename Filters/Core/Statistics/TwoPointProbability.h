@@ -92,6 +92,11 @@ public:
    */
   static double LargestLag(double largestRadius, const Window& window);
 
+  /** Throws std::invalid_argument for a number of lags, or of all numbers of S_rs, out of range. */
+  static void CheckNumberOfLags(int modes, const LagGrid& lags);
+  /** The same, and for a maximum lag out of range: what the constructor asks of lags. */
+  static void CheckLags(const PackShare& share, const LagGrid& lags);
+
   /** Of this rank. */
   std::size_t NumberOfChunks() const;
   /** The same on every rank. */

@@ -1,0 +1,369 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Statistics/ChordSampling.h"
+
+#include "Statistics/SecondDifferences.h"
+#include "Text.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+
+namespace ruc
+{
+void FindPhaseChanges(std::vector<SphereHit>& hits, const std::vector<LineInterval>& inside,
+  int modes, std::vector<PhaseChange>& changes)
+{
+  std::sort(hits.begin(), hits.end(),
+    [](const SphereHit& a, const SphereHit& b)
+    { return std::tie(a.In, a.Out, a.Mode) < std::tie(b.In, b.Out, b.Mode); });
+  changes.clear();
+  const int outside = modes + 1;
+  std::vector<SphereHit> entered; // and not left
+  auto next = hits.begin();
+  for (const LineInterval& interval : inside)
+  {
+    int phase = outside;
+    double t = interval.Begin;
+    while (t < interval.End)
+    {
+      for (; next != hits.end() && next->In <= t; ++next)
+      {
+        entered.push_back(*next);
+      }
+      entered.erase(std::remove_if(entered.begin(), entered.end(),
+                      [&](const SphereHit& hit) { return hit.Out <= t; }),
+        entered.end());
+      int lowest = modes;
+      double until = next == hits.end() ? interval.End : std::min(interval.End, next->In);
+      for (const SphereHit& hit : entered)
+      {
+        lowest = std::min(lowest, hit.Mode);
+        until = std::min(until, hit.Out);
+      }
+      if (lowest != phase)
+      {
+        changes.push_back({ t, phase, lowest });
+        phase = lowest;
+      }
+      t = until;
+    }
+    changes.push_back({ interval.End, phase, outside });
+  }
+}
+
+LineCorrelation::LineCorrelation(int modes, const LagGrid& lags)
+  : States(modes + 2)
+  , Lags(lags.Count)
+  , Unit(lags.Count > 0 ? lags.Spacing : 1.0)
+  , Rows(static_cast<std::size_t>(States) * States, nullptr)
+  , Correlations(static_cast<std::size_t>(modes + 1) * (modes + 1), nullptr)
+{
+}
+
+double* LineCorrelation::NewRow(double*& row)
+{
+  if (this->Used == this->Storage.size())
+  {
+    this->Storage.emplace_back(this->Lags + 2);
+  }
+  std::vector<double>& differences = this->Storage[this->Used++];
+  std::fill(differences.begin(), differences.end(), 0.0);
+  return row = differences.data();
+}
+
+void LineCorrelation::AddLine(const std::vector<PhaseChange>& changes)
+{
+  // With the indicator function I_r of a phase on the line, C_rs'' at the lag p is - the sum over
+  // all pairs of phase changes p apart of (jump of I_r at the first) x (jump of I_s at the second).
+  const int outside = this->States - 1;
+  const double scale = 1.0 / this->Unit;
+  for (std::size_t i = 0; i < changes.size(); ++i)
+  {
+    const int before = changes[i].Before, after = changes[i].After;
+    // A change with itself: half of the kink at lag 0, which is all of it for lags >= 0
+    if (before != outside)
+    {
+      AddRamp(-1.0, 0.0, this->RowOf(before, before));
+      AddRamp(1.0, 0.0, this->RowOf(before, after));
+    }
+    if (after != outside)
+    {
+      AddConstant(
+        scale * (changes[i + 1].Position - changes[i].Position), this->RowOf(after, after));
+    }
+    for (std::size_t j = i + 1; j < changes.size(); ++j)
+    {
+      const double apart = scale * (changes[j].Position - changes[i].Position);
+      if (apart > this->Lags)
+      {
+        break;
+      }
+      AddRamp(-1.0, apart, this->RowOf(after, changes[j].After));
+      AddRamp(1.0, apart, this->RowOf(after, changes[j].Before));
+      AddRamp(1.0, apart, this->RowOf(before, changes[j].After));
+      AddRamp(-1.0, apart, this->RowOf(before, changes[j].Before));
+    }
+  }
+}
+
+const std::vector<const double*>& LineCorrelation::Finish()
+{
+  const int phases = this->States - 1;
+  for (int r = 0; r < phases; ++r)
+  {
+    for (int s = 0; s < phases; ++s)
+    {
+      double* row = this->Rows[static_cast<std::size_t>(r) * this->States + s];
+      if (row)
+      {
+        Integrate(this->Unit, this->Lags, row);
+      }
+      this->Correlations[static_cast<std::size_t>(r) * phases + s] = row;
+    }
+  }
+  return this->Correlations;
+}
+
+void LineCorrelation::Clear()
+{
+  std::fill(this->Rows.begin(), this->Rows.end(), nullptr);
+  this->Used = 0;
+}
+
+namespace
+{
+constexpr SampleNames Lines = { "NumberOfLines", "lines" };
+
+// Batches of lines that all ranks trace through their own spheres; the hits of a batch come
+// together on the rank that owns it, batch % ranks.
+class ChordSampler
+{
+public:
+  ChordSampler(const SphereGrid& grid, int modes, const SamplingRegion& region, const LagGrid& lags,
+    const SamplingSettings& settings, Communicator& communicator)
+    : Grid(grid)
+    , Modes(modes)
+    , Region(region)
+    , Lags(lags)
+    , Settings(settings)
+    , Ranks(communicator)
+  {
+  }
+
+  // Lines along a direction instead of isotropic ones
+  void SetDirection(const Vector3& direction, std::uint32_t set)
+  {
+    this->Direction = direction;
+    this->Set = set;
+  }
+
+  SampledTwoPoint Sample(ChordLengths* chordLengths, const SamplingProgress& progress)
+  {
+    const int linesInBatch = SamplesInBatch(this->Settings);
+    const double longest = this->Region.LongestLine(this->Lags.Maximum());
+    SampledSums sums(this->Modes, this->Lags, linesInBatch * longest);
+    std::optional<ChordLengthSums> lengths;
+    if (chordLengths)
+    {
+      lengths.emplace(this->Modes, this->Lags, longest, linesInBatch);
+    }
+    // About 10 MB of hits where a line meets 200 spheres
+    const int batchesAtOnce = std::max(64, 2 * this->Ranks.Size());
+    const SampledTwoPoint result = TakeSamples(this->Settings, Lines, batchesAtOnce, sums,
+      lengths ? lengths->GetRatios() : std::vector<SampledRatios*>(), this->Ranks, progress,
+      [&](const BatchRange& range)
+      {
+        this->Trace(range);
+        this->Gather(range);
+        this->Accumulate(range, sums, lengths ? &*lengths : nullptr);
+      });
+    if (chordLengths)
+    {
+      *chordLengths = lengths->Result();
+    }
+    return result;
+  }
+
+private:
+  void Trace(const BatchRange& range)
+  {
+    const std::int64_t first = range.FirstSample(range.First);
+    const std::int64_t count = range.EndSample(range.End - 1) - first;
+    this->Drawn.resize(count);
+    this->Hits.resize(count);
+#pragma omp parallel for schedule(dynamic, 8)
+    for (std::int64_t n = 0; n < count; ++n)
+    {
+      SampleLine& line = this->Drawn[n];
+      const auto sample = static_cast<std::uint32_t>(first + n);
+      if (this->Direction)
+      {
+        this->Region.RandomLineAlong(
+          *this->Direction, this->Set, this->Settings.Seed, sample, this->Lags.Maximum(), line);
+      }
+      else
+      {
+        this->Region.RandomLine(this->Settings.Seed, sample, this->Lags.Maximum(), line);
+      }
+      this->Hits[n].clear();
+      this->Grid.Trace(line.Start, line.Direction, line.Inside.front().Begin,
+        line.Inside.back().End, this->Hits[n]);
+    }
+  }
+
+  // Calls visit(n) for every line of the batches that a rank owns, in order
+  template <class Visit>
+  void ForEachLineOf(int rank, const BatchRange& range, Visit&& visit) const
+  {
+    const std::int64_t first = range.FirstSample(range.First);
+    for (std::int64_t batch = range.First; batch < range.End; ++batch)
+    {
+      if (batch % this->Ranks.Size() == rank)
+      {
+        for (std::int64_t i = range.FirstSample(batch); i < range.EndSample(batch); ++i)
+        {
+          visit(i - first);
+        }
+      }
+    }
+  }
+
+  // Sends the hits of a line as their number, then three numbers each
+  void Gather(const BatchRange& range)
+  {
+    const int size = this->Ranks.Size(), own = this->Ranks.Rank();
+    if (size == 1)
+    {
+      return;
+    }
+    std::vector<std::vector<double>> parcels(size);
+    for (int rank = 0; rank < size; ++rank)
+    {
+      if (rank != own)
+      {
+        this->ForEachLineOf(rank, range,
+          [&](std::int64_t n)
+          {
+            parcels[rank].push_back(static_cast<double>(this->Hits[n].size()));
+            for (const SphereHit& hit : this->Hits[n])
+            {
+              parcels[rank].insert(
+                parcels[rank].end(), { hit.In, hit.Out, static_cast<double>(hit.Mode) });
+            }
+          });
+      }
+    }
+    parcels = this->Ranks.Exchange(std::move(parcels));
+    for (int rank = 0; rank < size; ++rank)
+    {
+      if (rank != own)
+      {
+        const double* number = parcels[rank].data();
+        this->ForEachLineOf(own, range,
+          [&](std::int64_t n)
+          {
+            for (auto left = static_cast<std::int64_t>(*number++); left > 0; --left, number += 3)
+            {
+              this->Hits[n].push_back({ number[0], number[1], static_cast<int>(number[2]) });
+            }
+          });
+      }
+    }
+  }
+
+  void Accumulate(const BatchRange& range, SampledSums& sums, ChordLengthSums* lengths)
+  {
+    const std::int64_t first = range.FirstSample(range.First);
+#pragma omp parallel
+    {
+      LineCorrelation correlation(this->Modes, this->Lags);
+      ChordLengthSums::Batch chords;
+      if (lengths)
+      {
+        chords = lengths->NewBatch();
+      }
+      std::vector<PhaseChange> changes;
+#pragma omp for schedule(dynamic)
+      for (std::int64_t batch = range.First; batch < range.End; ++batch)
+      {
+        if (batch % this->Ranks.Size() != this->Ranks.Rank())
+        {
+          continue;
+        }
+        for (std::int64_t i = range.FirstSample(batch); i < range.EndSample(batch); ++i)
+        {
+          const std::int64_t n = i - first;
+          FindPhaseChanges(this->Hits[n], this->Drawn[n].Inside, this->Modes, changes);
+          correlation.AddLine(changes);
+          if (lengths)
+          {
+            lengths->AddLine(changes, this->Drawn[n].Inside, chords);
+          }
+        }
+        sums.AddBatch(correlation.Finish());
+        correlation.Clear();
+        if (lengths)
+        {
+          lengths->AddBatch(chords);
+        }
+      }
+    }
+  }
+
+  const SphereGrid& Grid;
+  int Modes;
+  const SamplingRegion& Region;
+  LagGrid Lags;
+  SamplingSettings Settings;
+  Communicator& Ranks;
+  std::optional<Vector3> Direction;
+  std::uint32_t Set = 0;
+  // Of the batches in hand
+  std::vector<SampleLine> Drawn;
+  std::vector<std::vector<SphereHit>> Hits;
+};
+}
+
+SampledTwoPoint SampleChords(const SpherePack& own, int modes, const SamplingRegion& region,
+  const LagGrid& lags, const SamplingSettings& settings, Communicator& communicator,
+  const SamplingProgress& progress, ChordLengths* chordLengths)
+{
+  CheckSampling(settings, Lines, modes, lags, region);
+  if (chordLengths && lags.Count < 1)
+  {
+    throw std::invalid_argument("Chord lengths require NumberOfLags >= 1, got 0.");
+  }
+  const SphereGrid grid(own, region.GetBounds());
+  return ChordSampler(grid, modes, region, lags, settings, communicator)
+    .Sample(chordLengths, progress);
+}
+
+std::vector<SampledTwoPoint> SampleChordsAlong(const std::vector<Vector3>& directions,
+  const SpherePack& own, int modes, const SamplingRegion& region, const LagGrid& lags,
+  const SamplingSettings& settings, Communicator& communicator, const SamplingProgress& progress)
+{
+  CheckSampling(settings, Lines, modes, lags, region);
+  const SphereGrid grid(own, region.GetBounds());
+  ChordSampler sampler(grid, modes, region, lags, settings, communicator);
+  std::vector<SampledTwoPoint> results;
+  for (const Vector3& direction : directions)
+  {
+    const std::size_t number = results.size();
+    sampler.SetDirection(direction, static_cast<std::uint32_t>(number));
+    SamplingProgress part;
+    if (progress)
+    {
+      part = [&](double done, const std::string& text)
+      {
+        progress((number + done) / directions.size(),
+          Text("direction ", number + 1, " of ", directions.size(), ", ", text));
+      };
+    }
+    results.push_back(sampler.Sample(nullptr, part));
+  }
+  return results;
+}
+}

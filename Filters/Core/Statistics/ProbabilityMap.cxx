@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Statistics/ProbabilityMap.h"
+
+#include "FixedPointSums.h"
+#include "Geometry/SphereOverlap.h"
+#include "Statistics/OnePointProbability.h"
+#include "Statistics/TwoPointProbability.h"
+#include "Statistics/WeightedPairs.h"
+#include "Text.h"
+#include "VectorClones.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+
+namespace ruc
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr double MostNumbers = 5e7; // of all images, 400 MB
+constexpr int Lanes = 8;            // voxels of a row taken together
+
+/** The half of a cubic grid that a map is made of, as slices k = 0…Half: of all of them but k = 0,
+ * where rows j > 0 are the mirror images of those j < 0 and stay empty. */
+struct HalfGrid
+{
+  int Half;
+  double Spacing;
+
+  std::size_t Row() const { return 2 * static_cast<std::size_t>(this->Half) + 1; }
+  std::size_t Slice() const { return this->Row() * this->Row(); }
+};
+
+/** The slices of a thread, every stride-th, of images that follow each other; and what a pair of
+ * spheres adds to them: `multiple[m]` times its overlap. */
+struct Images
+{
+  std::int64_t* Sums;
+  int FirstSlice, Stride;
+  std::size_t SizeOfImage;
+  std::vector<std::int64_t>& Buffer; // a row
+};
+
+// Adds factor x V(|d - x|) to the voxels x of a thread that are in the half grid
+RUC_VECTOR_CLONES
+void AddBall(const LensFormula& lens, const Vector3& d, double factor, const HalfGrid& grid,
+  const Images& images, const std::vector<std::int64_t>& multiple)
+{
+  const double spacing = grid.Spacing, contact2 = lens.Contact * lens.Contact;
+  const double most = grid.Half;
+  const LensFormula volume = lens;
+  // In double until it is known to be in the grid, or next to it
+  const auto first = [&](double low, double least)
+  { return static_cast<int>(std::min(std::max(std::ceil(low / spacing), least), most + 1.0)); };
+  const auto last = [&](double high)
+  { return static_cast<int>(std::max(std::min(std::floor(high / spacing), most), -most - 1.0)); };
+  const int lastSlice = last(d[2] + lens.Contact);
+  int k = first(d[2] - lens.Contact, 0.0);
+  k += ((images.FirstSlice - k) % images.Stride + images.Stride) % images.Stride;
+  for (; k <= lastSlice; k += images.Stride)
+  {
+    const double z = d[2] - k * spacing;
+    const double slice2 = contact2 - z * z;
+    if (!(slice2 > 0.0))
+    {
+      continue;
+    }
+    const double sliceRadius = std::sqrt(slice2);
+    const int lastRow = k > 0 ? last(d[1] + sliceRadius) : std::min(last(d[1] + sliceRadius), 0);
+    for (int j = first(d[1] - sliceRadius, -most); j <= lastRow; ++j)
+    {
+      const double y = d[1] - j * spacing;
+      const double across2 = y * y + z * z;
+      const double row2 = contact2 - across2;
+      if (!(row2 > 0.0))
+      {
+        continue;
+      }
+      const double chord = std::sqrt(row2);
+      const int begin = first(d[0] - chord, -most);
+      const int count = last(d[0] + chord) + 1 - begin;
+      if (count <= 0)
+      {
+        continue;
+      }
+      // Whole vectors at a time, as most rows are shorter than one
+      std::int64_t* overlap = images.Buffer.data();
+      for (int i = 0; i < count; i += Lanes)
+      {
+        for (int lane = 0; lane < Lanes; ++lane)
+        {
+          const double x = d[0] - (begin + i + lane) * spacing;
+          overlap[i + lane] = RoundToFixedPoint(factor * volume(std::sqrt(across2 + x * x)));
+        }
+      }
+      std::int64_t* sums = images.Sums +
+        static_cast<std::size_t>(k / images.Stride) * grid.Slice() + (j + grid.Half) * grid.Row() +
+        (begin + grid.Half);
+      for (std::int64_t m : multiple)
+      {
+        for (int i = 0; m > 0 && i < count; ++i)
+        {
+          sums[i] += m * overlap[i];
+        }
+        sums += images.SizeOfImage;
+      }
+    }
+  }
+}
+
+// How often the overlap of an unordered pair of spheres, of modes a and b, counts in what is summed
+// for S_rs: S_rs itself for two modes, all of them with r for (r, m), all there are for (m, m)
+int MultipleOf(const std::array<int, 2>& phases, int a, int b, int matrix)
+{
+  const int r = std::min(phases[0], phases[1]), s = std::max(phases[0], phases[1]);
+  if (r == matrix)
+  {
+    return 2;
+  }
+  if (s == matrix)
+  {
+    return (a == r) + (b == r);
+  }
+  return r == s ? 2 * (a == r && b == r) : (std::min(a, b) == r && std::max(a, b) == s);
+}
+
+void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pairs, double spacing,
+  double reach)
+{
+  const int matrix = share.NumberOfModes();
+  if (pairs.empty())
+  {
+    throw std::invalid_argument("Pairs requires at least one pair of phases, got none.");
+  }
+  for (const std::array<int, 2>& pair : pairs)
+  {
+    for (int phase : pair)
+    {
+      if (phase < 0 || phase > matrix)
+      {
+        throw std::invalid_argument(
+          Text("Pairs requires phases from 0 to ", matrix, " (the matrix), got ", phase, "."));
+      }
+    }
+  }
+  if (!(spacing > 0.0 && std::isfinite(spacing)))
+  {
+    throw std::invalid_argument(
+      Text("ImageSpacing requires a finite number > 0, got ", spacing, "."));
+  }
+  const double largest = LargestMapReach(share.LargestRadius, share.Observed);
+  if (!(largest > 0.0))
+  {
+    throw std::invalid_argument(
+      Text("The window requires edges longer than the largest sphere's diameter, ",
+        2.0 * share.LargestRadius, ", got a ", share.Observed.Describe(), "."));
+  }
+  if (!(reach > 0.0 && reach <= largest * (1.0 + 1e-12)))
+  {
+    throw std::invalid_argument(Text("ImageReach requires 0 < ImageReach <= ", largest,
+      " for this ", share.Observed.Describe(), " and spheres of up to ", 2.0 * share.LargestRadius,
+      " diameter, got ", reach, "."));
+  }
+  const double edge = std::cbrt(MostNumbers / pairs.size());
+  if (2.0 * std::floor(reach / spacing * (1.0 + 1e-12)) + 1.0 > edge)
+  {
+    throw std::invalid_argument(
+      Text("ImageSpacing requires at least ", 2.0 * reach / (edge - 1.0), " for an ImageReach of ",
+        reach, " and ", pairs.size(), " pairs of phases, got ", spacing, "."));
+  }
+}
+}
+
+double LargestMapReach(double largestRadius, const Window& window)
+{
+  if (window.GetShape() == Window::Shape::Box)
+  {
+    return ExactPairSum::LargestLag(largestRadius, window);
+  }
+  // The corners of the cube reach farthest, along the axis and across it
+  double along = 0.0, across = 0.0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double a = std::abs(window.Axis[0] + (corner & 1 ? -1.0 : 1.0) * window.Axis[1] +
+      (corner & 2 ? -1.0 : 1.0) * window.Axis[2]);
+    along = std::max(along, a);
+    across = std::max(across, std::sqrt(std::max(3.0 - a * a, 0.0)));
+  }
+  return 0.999 *
+    std::min((window.Height - 2.0 * largestRadius) / along,
+      2.0 * (window.Radius - largestRadius) / across);
+}
+
+ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int, 2>>& pairs,
+  double spacing, double reach, Communicator& ranks, const std::function<void(double)>& progress)
+{
+  CheckMap(share, pairs, spacing, reach);
+  const int modes = share.NumberOfModes();
+  const HalfGrid grid = { static_cast<int>(reach / spacing * (1.0 + 1e-12)), spacing };
+  const int slices = grid.Half + 1;
+  const double cube = grid.Half * spacing, rim = 2.0 * share.LargestRadius;
+  const WeightedPairs weighted(share, std::sqrt(3.0) * cube + rim, ranks, "ImageReach", cube, rim);
+  const double unit = SphereVolume(share.LargestRadius);
+  const double scale = weighted.Scale / unit * (Pi / 12.0);
+
+  // How often two modes, or a sphere with itself, count in every image
+  std::vector<std::vector<std::int64_t>> multiples(modes * modes), selfMultiples(modes);
+  for (const std::array<int, 2>& pair : pairs)
+  {
+    for (int a = 0; a < modes; ++a)
+    {
+      for (int b = 0; b < modes; ++b)
+      {
+        multiples[a * modes + b].push_back(MultipleOf(pair, a, b, modes));
+      }
+      selfMultiples[a].push_back(MultipleOf(pair, a, a, modes) / 2);
+    }
+  }
+
+  const std::size_t sizeOfImage = slices * grid.Slice();
+  std::vector<std::int64_t> sums(2 * sizeOfImage * pairs.size(), 0);
+  // Every thread goes through all pairs and takes slices of its own: no thread needs another image
+#pragma omp parallel
+  {
+    const int stride = omp_get_num_threads(), first = omp_get_thread_num();
+    const int ownSlices = first < slices ? (slices - 1 - first) / stride + 1 : 0;
+    const std::size_t ownSize = ownSlices * grid.Slice();
+    FixedPointSums own(ownSize * pairs.size());
+    std::vector<std::int64_t> row(grid.Row() + Lanes);
+    const std::size_t centres = ownSlices > 0 ? weighted.Pairs.Size() : 0;
+    for (std::size_t begin = 0; begin < centres; begin += weighted.Step)
+    {
+      const std::size_t end = std::min(begin + weighted.Step, centres);
+      const Images images = { own.Take(weighted.Terms), first, stride, ownSize, row };
+      for (std::size_t place = begin; place < end; ++place)
+      {
+        const std::size_t i = weighted.Pairs.Own().Index[place];
+        AddBall(LensFormula(share.Own.Radius[i], share.Own.Radius[i]), { 0.0, 0.0, 0.0 }, scale,
+          grid, images, selfMultiples[share.Own.Mode[i] - 1]);
+      }
+      weighted.ForEach(begin, end,
+        [&](std::size_t i, const PairNeighbourhood::Part& part, std::size_t j, const Vector3& d,
+          double, double weight)
+        {
+          const LensFormula lens(share.Own.Radius[i], part.Pack.Radius[j]);
+          const std::vector<std::int64_t>& multiple =
+            multiples[(share.Own.Mode[i] - 1) * modes + part.Pack.Mode[j] - 1];
+          const double factor = 0.5 * scale * weight;
+          for (double sign : { 1.0, -1.0 })
+          {
+            if (sign * d[2] + lens.Contact > 0.0)
+            {
+              AddBall(
+                lens, { sign * d[0], sign * d[1], sign * d[2] }, factor, grid, images, multiple);
+            }
+          }
+        });
+      if (progress && first == 0)
+      {
+        progress(double(end) / centres);
+      }
+    }
+    const std::vector<std::int64_t>& wide = own.Finish();
+    for (std::size_t image = 0; image < pairs.size(); ++image)
+    {
+      for (int slice = 0; slice < ownSlices; ++slice)
+      {
+        const auto from = wide.begin() + 2 * (image * ownSize + slice * grid.Slice());
+        std::copy(from, from + 2 * grid.Slice(),
+          sums.begin() + 2 * (image * sizeOfImage + (first + slice * stride) * grid.Slice()));
+      }
+    }
+  }
+  ranks.Sum(sums.data(), sums.size());
+
+  ProbabilityMap map = { { grid.Half, grid.Half, grid.Half }, spacing, pairs, {} };
+  const std::vector<double> fractions = OnePointProbability(share);
+  const std::size_t voxels = map.Voxels(), centre = voxels / 2;
+  const double volumes = unit / (weighted.Scale * share.Observed.Volume());
+  for (std::size_t image = 0; image < pairs.size(); ++image)
+  {
+    const int r = std::min(pairs[image][0], pairs[image][1]);
+    const int s = std::max(pairs[image][0], pairs[image][1]);
+    // S_rm = c_r - sum over s of S_rs, S_mm = 1 - 2 sum over r of c_r + sum over r, s of S_rs
+    const double constant = s < modes ? 0.0
+      : r < modes                     ? fractions[r]
+                                      : 2.0 * fractions[modes] - 1.0;
+    const double factor = s == modes && r < modes ? -volumes : volumes;
+    std::vector<double> values(voxels);
+    // From the rows of the half grid up to the middle one, j < 0 first in slice 0
+    for (std::size_t v = 0; v < sizeOfImage; ++v)
+    {
+      const std::size_t inSlice = v % grid.Slice();
+      if (v >= grid.Slice() || inSlice / grid.Row() <= static_cast<std::size_t>(grid.Half))
+      {
+        const std::size_t place = centre - grid.Slice() / 2 + v;
+        const double value = constant + factor * WideValue(&sums[2 * (image * sizeOfImage + v)]);
+        values[place] = value;
+        values[voxels - 1 - place] = value;
+      }
+    }
+    map.Values.push_back(std::move(values));
+  }
+  return map;
+}
+}

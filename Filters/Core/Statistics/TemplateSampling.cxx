@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Statistics/TemplateSampling.h"
+
+#include "Geometry/SphereGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace ruc
+{
+namespace
+{
+constexpr SampleNames Throws = { "NumberOfThrows", "throws" };
+constexpr double Pi = 3.14159265358979323846;
+constexpr std::int32_t OutsideRegion = -1;
+
+// The directions of the rays: a great circle across the throw's isotropic direction
+void FindRays(std::uint32_t seed, std::uint32_t sample, std::array<Vector3, NumberOfRays>& rays)
+{
+  const Vector3 n = SamplingRegion::RandomDirection(seed, sample);
+  const double turn = 2.0 * Pi * SamplingRegion::RandomTurn(seed, sample);
+  // Two directions across n, by the axis z is far from or near to
+  const Vector3 a =
+    std::abs(n[2]) < 0.7 ? Vector3{ n[1], -n[0], 0.0 } : Vector3{ 0.0, n[2], -n[1] };
+  const double norm = 1.0 / std::hypot(a[0], a[1], a[2]);
+  const Vector3 u = { a[0] * norm, a[1] * norm, a[2] * norm };
+  const Vector3 v = { n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2],
+    n[0] * u[1] - n[1] * u[0] };
+  for (int ray = 0; ray < NumberOfRays; ++ray)
+  {
+    const double angle = turn + 2.0 * Pi * ray / NumberOfRays;
+    const double c = std::cos(angle), s = std::sin(angle);
+    rays[ray] = { c * u[0] + s * v[0], c * u[1] + s * v[1], c * u[2] + s * v[2] };
+  }
+}
+
+Vector3 Wrapped(Vector3 point, const Window& box)
+{
+  for (int q = 0; q < 3; ++q)
+  {
+    point[q] -= box.Size[q] * std::floor((point[q] - box.Origin[q]) / box.Size[q]);
+  }
+  return point;
+}
+}
+
+SampledTwoPoint SampleTemplate(const SpherePack& own, int modes, const SamplingRegion& region,
+  const LagGrid& lags, const SamplingSettings& settings, Communicator& communicator,
+  const SamplingProgress& progress)
+{
+  CheckSampling(settings, Throws, modes, lags, region);
+  const SphereGrid grid(own, region.GetBounds());
+  const int throwsInBatch = SamplesInBatch(settings);
+  const int size = communicator.Size(), phases = modes + 1;
+  SampledSums sums(modes, lags, static_cast<double>(throwsInBatch) * NumberOfRays);
+
+  // The centre, then the points of each ray
+  const std::size_t points = 1 + static_cast<std::size_t>(NumberOfRays) * lags.Count;
+  std::vector<std::int32_t> found;
+  const auto lookUp = [&](const Vector3& point) -> std::int32_t
+  {
+    if (region.IsFullyPeriodic())
+    {
+      return grid.LowestModeAt(Wrapped(point, region.GetBounds()), modes);
+    }
+    return region.Contains(point) ? grid.LowestModeAt(point, modes) : OutsideRegion;
+  };
+  const auto take = [&](const BatchRange& range)
+  {
+    const std::int64_t first = range.FirstSample(range.First);
+    const std::int64_t count = range.EndSample(range.End - 1) - first;
+    found.resize(count * points);
+#pragma omp parallel for schedule(dynamic)
+    for (std::int64_t n = 0; n < count; ++n)
+    {
+      const auto sample = static_cast<std::uint32_t>(first + n);
+      std::int32_t* place = &found[n * points];
+      const Vector3 centre = region.RandomPoint(settings.Seed, sample);
+      *place++ = lookUp(centre);
+      std::array<Vector3, NumberOfRays> rays;
+      FindRays(settings.Seed, sample, rays);
+      for (const Vector3& ray : rays)
+      {
+        for (int k = 1; k <= lags.Count; ++k)
+        {
+          const double r = k * lags.Spacing;
+          *place++ =
+            lookUp({ centre[0] + r * ray[0], centre[1] + r * ray[1], centre[2] + r * ray[2] });
+        }
+      }
+    }
+    // The matrix is the highest phase, so that what any rank finds there comes first.
+    communicator.Minimum(found.data(), found.size());
+
+#pragma omp parallel
+    {
+      std::vector<std::vector<double>> counts(static_cast<std::size_t>(phases) * phases);
+      std::vector<const double*> rows(counts.size());
+#pragma omp for schedule(dynamic)
+      for (std::int64_t batch = range.First; batch < range.End; ++batch)
+      {
+        if (batch % size != communicator.Rank())
+        {
+          continue;
+        }
+        for (std::vector<double>& row : counts)
+        {
+          row.clear();
+        }
+        const auto count = [&](int r, int s, int k, double number)
+        {
+          std::vector<double>& row = counts[static_cast<std::size_t>(r) * phases + s];
+          if (row.empty())
+          {
+            row.assign(lags.Count + 1, 0.0);
+          }
+          row[k] += number;
+        };
+        for (std::int64_t i = range.FirstSample(batch); i < range.EndSample(batch); ++i)
+        {
+          const std::int32_t* place = &found[(i - first) * points];
+          const std::int32_t centre = *place++;
+          count(centre, centre, 0, NumberOfRays);
+          for (int ray = 0; ray < NumberOfRays; ++ray)
+          {
+            for (int k = 1; k <= lags.Count; ++k, ++place)
+            {
+              if (*place != OutsideRegion)
+              {
+                count(centre, *place, k, 1.0);
+              }
+            }
+          }
+        }
+        for (std::size_t n = 0; n < rows.size(); ++n)
+        {
+          rows[n] = counts[n].empty() ? nullptr : counts[n].data();
+        }
+        sums.AddBatch(rows);
+      }
+    }
+  };
+  // About 10 MB of points
+  const double batchBytes = 4.0 * static_cast<double>(points) * throwsInBatch;
+  const int batchesAtOnce = std::max({ static_cast<int>(1e7 / batchBytes), 2 * size, 1 });
+  return TakeSamples(settings, Throws, batchesAtOnce, sums, {}, communicator, progress, take);
+}
+}
