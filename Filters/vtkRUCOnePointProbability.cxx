@@ -3,9 +3,12 @@
 #include "vtkRUCOnePointProbability.h"
 
 #include "PackData.h"
+#include "ProgressReport.h"
 #include "RankCommunicator.h"
 #include "Reconstruction/OverlapRemoval.h"
+#include "Statistics/ChordSampling.h"
 #include "Statistics/OnePointProbability.h"
+#include "Statistics/TemplateSampling.h"
 #include "Text.h"
 
 #include "vtkInformation.h"
@@ -17,6 +20,11 @@
 
 vtkStandardNewMacro(vtkRUCOnePointProbability);
 
+namespace
+{
+const char* const MethodNames[] = { "Sphere Volumes", "Chord Sampling", "Template Sampling" };
+}
+
 int vtkRUCOnePointProbability::FillOutputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
@@ -26,14 +34,50 @@ int vtkRUCOnePointProbability::FillOutputPortInformation(int, vtkInformation* in
 void vtkRUCOnePointProbability::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
-  if (this->Method != SPHERE_VOLUMES)
+  if (this->Method < SPHERE_VOLUMES || this->Method > TEMPLATE_SAMPLING)
   {
-    throw std::invalid_argument(ruc::Text("Method requires the value 0, got ", this->Method, "."));
+    throw std::invalid_argument(
+      ruc::Text("Method requires a value from 0 to 2, got ", this->Method, "."));
   }
+  if (this->Method == SPHERE_VOLUMES && this->HasMask())
+  {
+    throw std::invalid_argument(
+      "Mask requires Method Chord Sampling or Template Sampling, got Sphere Volumes.");
+  }
+  ProgressReport report(this, this->GetLabel());
   const PackData::SharedPack pack =
     PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
-  const std::vector<double> fractions = ruc::OnePointProbability(pack.Share);
   vtkTable* table = vtkTable::GetData(outputs, 0);
+  std::vector<double> fractions, errors;
+  if (this->Method == SPHERE_VOLUMES)
+  {
+    fractions = ruc::OnePointProbability(pack.Share);
+    errors.assign(fractions.size(), 0.0);
+  }
+  else
+  {
+    const std::unique_ptr<ruc::SamplingRegion> region = this->MakeRegion(pack, ranks);
+    const bool throws = this->Method == TEMPLATE_SAMPLING;
+    const auto progress = [&](double done, const std::string& text)
+    {
+      if (ranks.Rank() == 0)
+      {
+        report.Update(done, text);
+      }
+    };
+    const ruc::LagGrid noLags = { 1.0, 0 };
+    const ruc::SamplingSettings settings = this->GetSettings(throws);
+    const int modes = pack.Share.NumberOfModes();
+    const ruc::SampledTwoPoint sampled = throws
+      ? ruc::SampleTemplate(pack.Share.Own, modes, *region, noLags, settings, ranks, progress)
+      : ruc::SampleChords(pack.Share.Own, modes, *region, noLags, settings, ranks, progress);
+    fractions = sampled.Mean.Fractions;
+    errors = sampled.FractionErrors;
+    this->AddRegionSummary(table, *region);
+    PackData::AddField(table, throws ? "NumberOfThrows" : "NumberOfLines",
+      std::vector<long long>{ static_cast<long long>(sampled.Samples) });
+    PackData::AddField(table, "TotalError", std::vector<double>{ sampled.TotalError });
+  }
   if (ranks.Rank() == 0)
   {
     std::vector<std::string> phases;
@@ -44,12 +88,12 @@ void vtkRUCOnePointProbability::Execute(
     phases.push_back("m");
     PackData::AddColumn(table, "Phase", phases);
     PackData::AddColumn(table, "VolumeFraction", fractions);
-    PackData::AddColumn(table, "VolumeFraction_error", std::vector<double>(fractions.size(), 0.0));
+    PackData::AddColumn(table, "VolumeFraction_error", errors);
   }
-  PackData::AddField(table, "Method", std::string("Sphere Volumes"));
+  PackData::AddField(table, "Method", std::string(MethodNames[this->Method]));
   const double overlap = ruc::MeasureOverlap(pack.Share, ranks).Percent;
   PackData::AddPackSummary(table, pack, pack.Share.NumberOfSpheres, fractions, overlap);
-  if (ranks.Rank() == 0 && overlap > PackData::TolerableOverlap)
+  if (this->Method == SPHERE_VOLUMES && ranks.Rank() == 0 && overlap > PackData::TolerableOverlap)
   {
     vtkWarningMacro(<< this->GetLabel() << PackData::OverlapWarning(overlap));
   }

@@ -4,33 +4,37 @@
  * @class vtkRUCOnePointProbability
  * @brief Volume fractions of the phases of a sphere pack
  *
- * Input: a sphere pack with `Mode` (vtkRUCPackAlgorithm). Output, whole on rank 0: the table
- * `Phase` ("1", "2", …, "m" for the matrix), `VolumeFraction`, `VolumeFraction_error` (standard
- * error; 0 for a method without sampling).
+ * Input: a sphere pack with `Mode` (vtkRUCPackAlgorithm), and for the sampled methods an optional
+ * mask (vtkRUCSamplingAlgorithm). Output, whole on rank 0: the table `Phase` ("1", "2", …, "m" for
+ * the matrix), `VolumeFraction`, `VolumeFraction_error` (standard error; 0 for Sphere Volumes).
  *
  * Sphere Volumes: c_r = volume of the spheres of mode r whose centres lie in the window / volume of
  * the window, c_m = 1 - sum c_r. Where spheres overlap the shared volume counts twice;
  * `OverlapPercent` tells how much that is.
+ * Chord Sampling and Template Sampling: the share of the lines' length, or of the throws' centres,
+ * that lies in phase r. TargetError bounds the sum of the standard errors over the phases.
  */
 #ifndef vtkRUCOnePointProbability_h
 #define vtkRUCOnePointProbability_h
 
-#include "vtkRUCPackAlgorithm.h"
+#include "vtkRUCSamplingAlgorithm.h"
 
-class RUCFILTERS_EXPORT vtkRUCOnePointProbability : public vtkRUCPackAlgorithm
+class RUCFILTERS_EXPORT vtkRUCOnePointProbability : public vtkRUCSamplingAlgorithm
 {
 public:
   static vtkRUCOnePointProbability* New();
-  vtkTypeMacro(vtkRUCOnePointProbability, vtkRUCPackAlgorithm);
+  vtkTypeMacro(vtkRUCOnePointProbability, vtkRUCSamplingAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Methods
   {
-    SPHERE_VOLUMES = 0
+    SPHERE_VOLUMES = 0,
+    CHORD_SAMPLING = 1,
+    TEMPLATE_SAMPLING = 2
   };
 
   ///@{
-  /** The estimator. Default and only choice: SPHERE_VOLUMES. */
+  /** The estimator. Default: SPHERE_VOLUMES. */
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
   ///@}

@@ -80,7 +80,10 @@ int vtkRUCPackAlgorithm::RequestUpdateExtent(
   }
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
-    request(inputs[port]->GetInformationObject(0));
+    if (inputs[port]->GetNumberOfInformationObjects() > 0) // else it is optional
+    {
+      request(inputs[port]->GetInformationObject(0));
+    }
   }
   return 1;
 }

@@ -2,133 +2,376 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRUCTwoPointProbability.h"
 
+#include "Geometry/Directions.h"
 #include "PackData.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
 #include "Reconstruction/OverlapRemoval.h"
-#include "Statistics/TwoPointChecks.h"
-#include "Statistics/TwoPointProbability.h"
-#include "TwoPointSum.h"
+#include "Statistics/ChordSampling.h"
+#include "Statistics/OnePointProbability.h"
+#include "Statistics/ProbabilityMap.h"
+#include "Statistics/TemplateSampling.h"
 #include "Text.h"
+#include "TwoPointSum.h"
+#include "TwoPointTables.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkExtentTranslator.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <sstream>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkRUCTwoPointProbability);
 
 namespace
 {
-void FillProbabilities(const ruc::TwoPointProbability& probability, vtkTable* table)
-{
-  PackData::AddLags(table, probability.Lags);
-  for (int r = 0; r < probability.Phases(); ++r)
-  {
-    for (int s = r; s < probability.Phases(); ++s)
-    {
-      PackData::AddColumn(table, PackData::PairName(probability, r, s), probability.S(r, s));
-    }
-  }
-}
+const char* const MethodNames[] = { "Exact Pair Sum", "Chord Sampling", "Template Sampling" };
 
-void FillChecks(const ruc::TwoPointProbability& probability,
-  const std::vector<ruc::TwoPointCheck>& checks, vtkTable* table)
+// "1 1; 3 m" as phases counted from 0, the matrix last
+std::vector<std::array<int, 2>> ParsePairs(const std::string& text, int modes)
 {
-  std::vector<std::string> pair;
-  std::vector<double> limit, zero, infinity, asymmetry, saturation;
-  for (int r = 0; r < probability.Phases(); ++r)
+  const auto refuse = [&](const std::string& part)
   {
-    for (int s = r; s < probability.Phases(); ++s)
+    throw std::invalid_argument(ruc::Text("ImagePairs requires pairs of phases, 1 to ", modes,
+      " or m, such as '1 1; 1 m; m m', got '", part, "'."));
+  };
+  std::vector<std::array<int, 2>> pairs;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ';');)
+  {
+    std::istringstream words(part);
+    std::vector<int> phases;
+    for (std::string word; words >> word;)
     {
-      pair.push_back(PackData::PairName(probability, r, s));
+      const bool digits = word.size() <= 6 && word.find_first_not_of("0123456789") == word.npos;
+      const int phase = word == "m" ? modes : digits ? std::stoi(word) - 1 : -1;
+      if (phase < 0 || (word != "m" && phase >= modes))
+      {
+        refuse(part);
+      }
+      phases.push_back(phase);
     }
+    if (phases.size() != 2)
+    {
+      refuse(part);
+    }
+    std::sort(phases.begin(), phases.end());
+    pairs.push_back({ phases[0], phases[1] });
   }
-  for (const ruc::TwoPointCheck& check : checks)
-  {
-    limit.push_back(check.Limit);
-    zero.push_back(check.ErrorAtZero);
-    infinity.push_back(check.ErrorAtInfinity);
-    asymmetry.push_back(check.Asymmetry);
-    saturation.push_back(check.SaturationLength);
-  }
-  PackData::AddColumn(table, "Pair", pair);
-  PackData::AddColumn(table, "Limit", limit);
-  PackData::AddColumn(table, "ErrorAtZero", zero);
-  PackData::AddColumn(table, "ErrorAtInfinity", infinity);
-  PackData::AddColumn(table, "Asymmetry", asymmetry);
-  PackData::AddColumn(table, "SaturationLength", saturation);
-}
-
-void FillGradients(const ruc::TwoPointProbability& probability, vtkTable* table)
-{
-  ruc::TwoPointProbability gradients = probability;
-  for (std::vector<double>& values : gradients.Values)
-  {
-    values = ruc::Gradient(values, probability.Lags.Spacing);
-  }
-  FillProbabilities(gradients, table);
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
 }
 }
 
 vtkRUCTwoPointProbability::vtkRUCTwoPointProbability()
 {
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(9);
 }
 
-int vtkRUCTwoPointProbability::FillOutputPortInformation(int, vtkInformation* info)
+int vtkRUCTwoPointProbability::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == MAP ? "vtkImageData" : "vtkTable");
   return 1;
+}
+
+int vtkRUCTwoPointProbability::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* map = outputs->GetInformationObject(MAP);
+  const int n = this->ImagePairs.empty() ? 0 : std::max(this->ImageResolution, 0);
+  int extent[6] = { -n, n, -n, n, -n, n };
+  if (this->ImagePairs.empty())
+  {
+    std::fill_n(extent, 6, 0);
+    extent[1] = extent[3] = extent[5] = -1;
+  }
+  map->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  map->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
+  // Known before the pack is only what was set; the data say it in any case
+  const double spacing = this->ImageSpacing > 0.0 ? this->ImageSpacing
+    : this->MaximumLag > 0.0                      ? this->MaximumLag / std::max(n, 1)
+                                                  : 1.0;
+  map->Set(vtkDataObject::SPACING(), spacing, spacing, spacing);
+  return this->Superclass::RequestInformation(request, inputs, outputs);
+}
+
+void vtkRUCTwoPointProbability::ValidateProperties()
+{
+  const auto require = [](bool good, const char* name, const char* what, double got)
+  {
+    if (!good)
+    {
+      throw std::invalid_argument(ruc::Text(name, " requires ", what, ", got ", got, "."));
+    }
+  };
+  require(this->Method >= EXACT_PAIR_SUM && this->Method <= TEMPLATE_SAMPLING, "Method",
+    "a value from 0 to 2", this->Method);
+  require(this->SaturationTolerance > 0.0, "SaturationTolerance", "a number > 0",
+    this->SaturationTolerance);
+  require(this->NumberOfDirections == 0 || this->NumberOfDirections >= 2, "NumberOfDirections",
+    "0 or a number >= 2", this->NumberOfDirections);
+  require(this->ImageResolution >= 1 && this->ImageResolution <= 1000, "ImageResolution",
+    "a number from 1 to 1000", this->ImageResolution);
+  require(this->ImageSpacing >= 0.0 && std::isfinite(this->ImageSpacing), "ImageSpacing",
+    "a finite number >= 0", this->ImageSpacing);
+  const auto refuse = [](const char* what, const char* required, const char* got)
+  { throw std::invalid_argument(ruc::Text(what, " requires ", required, ", got ", got, ".")); };
+  if (this->NumberOfDirections > 0 && this->Method == TEMPLATE_SAMPLING)
+  {
+    refuse("NumberOfDirections", "Method Exact Pair Sum or Chord Sampling", "Template Sampling");
+  }
+  if (this->HasMask() && !this->SamplesRegion())
+  {
+    refuse("Mask", "Method Chord Sampling or Template Sampling", "Exact Pair Sum");
+  }
+  if (this->HasMask() && !this->ImagePairs.empty())
+  {
+    refuse("ImagePairs", "a box or cylinder window", "a mask");
+  }
+  if (this->HasMask() && this->RadialDistribution)
+  {
+    refuse("RadialDistribution", "a box or cylinder window", "a mask");
+  }
+}
+
+bool vtkRUCTwoPointProbability::SamplesRegion() const
+{
+  return this->Method != EXACT_PAIR_SUM || this->ChordLengths;
 }
 
 void vtkRUCTwoPointProbability::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
-  if (this->Method != EXACT_PAIR_SUM)
-  {
-    throw std::invalid_argument(ruc::Text("Method requires the value 0, got ", this->Method, "."));
-  }
-  if (!(this->SaturationTolerance > 0.0))
-  {
-    throw std::invalid_argument(
-      ruc::Text("SaturationTolerance requires a number > 0, got ", this->SaturationTolerance, "."));
-  }
+  this->ValidateProperties();
   ProgressReport report(this, this->GetLabel());
+  const auto progress = [&](double done, const std::string& text)
+  {
+    if (ranks.Rank() == 0)
+    {
+      report.Update(done, text);
+    }
+  };
   const PackData::SharedPack pack =
     PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
-  const ruc::LagGrid lags = TwoPointSum::MakeLags(
-    this->MaximumLag, this->NumberOfLags, TwoPointSum::AutomaticLag(pack.Share));
-  const ruc::TwoPointProbability probability =
-    TwoPointSum::Compute(pack.Share, lags, ranks, report);
-  const double diameter = pack.Share.MeanDiameter();
-  const std::vector<ruc::TwoPointCheck> checks =
+  const ruc::PackShare& share = pack.Share;
+  const std::vector<std::array<int, 2>> imagePairs =
+    ParsePairs(this->ImagePairs, share.NumberOfModes());
+  const std::unique_ptr<ruc::SamplingRegion> region =
+    this->SamplesRegion() ? this->MakeRegion(pack, ranks) : nullptr;
+  const double automatic = this->Method == EXACT_PAIR_SUM
+    ? TwoPointSum::AutomaticLag(share)
+    : std::min(0.5 * (this->HasMask() ? region->GetBounds() : share.Observed).ShortestEdge(),
+        region->LargestLag());
+  const ruc::LagGrid lags = TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags, automatic);
+
+  ruc::SampledTwoPoint measured = { ruc::TwoPointProbability(share.NumberOfModes(), lags), {}, {},
+    {}, 0, 0.0 };
+  ruc::ChordLengths chords;
+  const int modes = share.NumberOfModes();
+  if (this->Method == EXACT_PAIR_SUM)
+  {
+    measured.Mean = TwoPointSum::Compute(share, lags, ranks, report);
+  }
+  else if (this->Method == TEMPLATE_SAMPLING)
+  {
+    measured = ruc::SampleTemplate(
+      share.Own, modes, *region, lags, this->GetSettings(true), ranks, progress);
+  }
+  if (this->Method == CHORD_SAMPLING || this->ChordLengths)
+  {
+    ruc::SampledTwoPoint sampled = ruc::SampleChords(share.Own, modes, *region, lags,
+      this->GetSettings(false), ranks, progress, this->ChordLengths ? &chords : nullptr);
+    if (this->Method == CHORD_SAMPLING)
+    {
+      measured = std::move(sampled);
+    }
+  }
+
+  const ruc::TwoPointProbability& probability = measured.Mean;
+  const double diameter = share.MeanDiameter();
+  std::vector<ruc::TwoPointCheck> checks =
     ruc::CheckTwoPointProbability(probability, this->SaturationTolerance, diameter);
+  for (std::size_t pair = 0; pair < measured.Asymmetry.size(); ++pair)
+  {
+    checks[pair].Asymmetry = measured.Asymmetry[pair];
+  }
   if (ranks.Rank() == 0)
   {
-    FillProbabilities(probability, vtkTable::GetData(outputs, 0));
-    FillChecks(probability, checks, vtkTable::GetData(outputs, 1));
-    FillGradients(probability, vtkTable::GetData(outputs, 2));
+    TwoPointTables::FillProbabilities(measured, vtkTable::GetData(outputs, PROBABILITIES));
+    TwoPointTables::FillChecks(probability, checks, vtkTable::GetData(outputs, CHECKS));
+    TwoPointTables::FillGradients(probability, vtkTable::GetData(outputs, GRADIENTS));
+    if (this->ChordLengths)
+    {
+      TwoPointTables::FillChordLengths(chords, vtkTable::GetData(outputs, CHORDS));
+    }
+    if (this->Autocovariance)
+    {
+      TwoPointTables::FillAutocovariance(probability, vtkTable::GetData(outputs, AUTOCOVARIANCES));
+    }
   }
-  const double overlap = ruc::MeasureOverlap(pack.Share, ranks).Percent;
+  if (!imagePairs.empty())
+  {
+    this->FillMap(pack, imagePairs, lags, outputs, ranks, report);
+  }
+  if (this->NumberOfDirections > 0)
+  {
+    this->FillDirections(pack, region.get(), lags, outputs, ranks, report);
+  }
+  if (this->RadialDistribution)
+  {
+    const ruc::RadialDistribution distribution = ruc::MeasureRadialDistribution(
+      share, lags, ranks, [&](double done) { progress(done, "radial distribution"); });
+    if (ranks.Rank() == 0)
+    {
+      TwoPointTables::FillRadialDistribution(
+        distribution, vtkTable::GetData(outputs, RADIAL_DISTRIBUTIONS));
+    }
+  }
+
+  const double overlap = ruc::MeasureOverlap(share, ranks).Percent;
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
-    vtkTable* table = vtkTable::GetData(outputs, port);
-    PackData::AddField(table, "Method", std::string("Exact Pair Sum"));
-    PackData::AddField(table, "NumberOfLags", std::vector<long long>{ lags.Count });
-    PackData::AddField(table, "MaximumLag", std::vector<double>{ lags.Maximum() });
-    PackData::AddField(table, "SaturationLength",
+    vtkDataObject* data = outputs->GetInformationObject(port)->Get(vtkDataObject::DATA_OBJECT());
+    PackData::AddField(data, "Method", std::string(MethodNames[this->Method]));
+    PackData::AddField(data, "NumberOfLags", std::vector<long long>{ lags.Count });
+    PackData::AddField(data, "MaximumLag", std::vector<double>{ lags.Maximum() });
+    PackData::AddField(data, "SaturationLength",
       std::vector<double>{
         ruc::SaturationLength(probability, this->SaturationTolerance, diameter) });
-    PackData::AddPackSummary(
-      table, pack, pack.Share.NumberOfSpheres, probability.Fractions, overlap);
+    PackData::AddPackSummary(data, pack, share.NumberOfSpheres, probability.Fractions, overlap);
+    if (region)
+    {
+      this->AddRegionSummary(data, *region);
+    }
+    if (this->Method != EXACT_PAIR_SUM)
+    {
+      PackData::AddField(data,
+        this->Method == TEMPLATE_SAMPLING ? "NumberOfThrows" : "NumberOfLines",
+        std::vector<long long>{ static_cast<long long>(measured.Samples) });
+      PackData::AddField(data, "TotalError", std::vector<double>{ measured.TotalError });
+    }
   }
-  if (ranks.Rank() == 0 && overlap > PackData::TolerableOverlap)
+  this->AddConsistency(probability, share, vtkTable::GetData(outputs, CHECKS));
+  const bool sumsPairs = this->Method == EXACT_PAIR_SUM || !imagePairs.empty();
+  if (sumsPairs && ranks.Rank() == 0 && overlap > PackData::TolerableOverlap)
   {
     vtkWarningMacro(<< this->GetLabel() << PackData::OverlapWarning(overlap));
+  }
+}
+
+void vtkRUCTwoPointProbability::AddConsistency(
+  const ruc::TwoPointProbability& probability, const ruc::PackShare& share, vtkTable* table) const
+{
+  const double sum =
+    std::accumulate(probability.Fractions.begin(), probability.Fractions.end(), 0.0);
+  const double surface = std::accumulate(share.Surface.begin(), share.Surface.end(), 0.0);
+  const int m = probability.Modes;
+  const double slope = ruc::Gradient(probability.S(m, m), probability.Lags.Spacing).front();
+  PackData::AddField(table, "VolumeCheck", std::vector<double>{ 1.0 - sum });
+  PackData::AddField(table, "SphereVolumeFractions", ruc::OnePointProbability(share));
+  PackData::AddField(
+    table, "SpecificSurface", std::vector<double>{ surface / share.Observed.Volume() });
+  PackData::AddField(table, "SpecificSurfaceFromSlope", std::vector<double>{ -4.0 * slope });
+}
+
+void vtkRUCTwoPointProbability::FillMap(const PackData::SharedPack& pack,
+  const std::vector<std::array<int, 2>>& pairs, const ruc::LagGrid& lags,
+  vtkInformationVector* outputs, RankCommunicator& ranks, ProgressReport& report)
+{
+  const int n = this->ImageResolution;
+  const double reach = this->ImageSpacing > 0.0
+    ? n * this->ImageSpacing
+    : std::min(lags.Maximum(), ruc::LargestMapReach(pack.Share.LargestRadius, pack.Observed));
+  const double spacing = reach / n;
+  const ruc::ProbabilityMap map = ruc::MapPairs(pack.Share, pairs, spacing, reach, ranks,
+    [&](double done)
+    {
+      if (ranks.Rank() == 0)
+      {
+        report.Update(done, "map of S_rs(x)");
+      }
+    });
+
+  // The map is the same on all ranks; each gives out the slab that ParaView expects of it
+  const int whole[6] = { -n, n, -n, n, -n, n };
+  int slab[6];
+  vtkNew<vtkExtentTranslator> translator;
+  translator->PieceToExtentThreadSafe(ranks.Rank(), ranks.Size(), 0, const_cast<int*>(whole), slab,
+    vtkExtentTranslator::BLOCK_MODE, 0);
+  vtkImageData* image = vtkImageData::GetData(outputs, MAP);
+  image->SetExtent(slab);
+  image->SetOrigin(0.0, 0.0, 0.0);
+  image->SetSpacing(spacing, spacing, spacing);
+  const ruc::TwoPointProbability names(pack.Share.NumberOfModes(), lags);
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(PackData::PairName(names, pairs[p][0], pairs[p][1]).c_str());
+    values->SetNumberOfValues(image->GetNumberOfPoints());
+    vtkIdType place = 0;
+    for (int k = slab[4]; k <= slab[5]; ++k)
+    {
+      for (int j = slab[2]; j <= slab[3]; ++j)
+      {
+        for (int i = slab[0]; i <= slab[1]; ++i)
+        {
+          values->SetValue(place++, map.Values[p][map.PlaceOf(i, j, k)]);
+        }
+      }
+    }
+    image->GetPointData()->AddArray(values);
+    if (p == 0)
+    {
+      image->GetPointData()->SetActiveScalars(values->GetName());
+    }
+  }
+  outputs->GetInformationObject(MAP)->Set(vtkDataObject::SPACING(), spacing, spacing, spacing);
+}
+
+void vtkRUCTwoPointProbability::FillDirections(const PackData::SharedPack& pack,
+  const ruc::SamplingRegion* region, const ruc::LagGrid& lags, vtkInformationVector* outputs,
+  RankCommunicator& ranks, ProgressReport& report)
+{
+  const std::vector<ruc::Vector3> directions = ruc::EvenDirections(this->NumberOfDirections);
+  const auto progress = [&](double done, const std::string& text)
+  {
+    if (ranks.Rank() == 0)
+    {
+      report.Update(done, "directions, " + text);
+    }
+  };
+  ruc::DirectionalProbability directional;
+  if (this->Method == EXACT_PAIR_SUM)
+  {
+    directional = ruc::SumPairsAlong(
+      pack.Share, directions, lags, ranks, [&](double done) { progress(done, "summing pairs"); });
+  }
+  else
+  {
+    directional.Directions = directions;
+    for (ruc::SampledTwoPoint& along : ruc::SampleChordsAlong(directions, pack.Share.Own,
+           pack.Share.NumberOfModes(), *region, lags, this->GetSettings(false), ranks, progress))
+    {
+      directional.Values.push_back(std::move(along.Mean));
+      directional.Errors.push_back(std::move(along.Errors));
+    }
+  }
+  if (ranks.Rank() == 0)
+  {
+    TwoPointTables::FillIsotropy(directional, vtkTable::GetData(outputs, ISOTROPY));
+    TwoPointTables::FillDirections(directional, vtkTable::GetData(outputs, DIRECTIONS));
   }
 }
 
@@ -139,4 +382,11 @@ void vtkRUCTwoPointProbability::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLag: " << this->MaximumLag << "\n";
   os << indent << "NumberOfLags: " << this->NumberOfLags << "\n";
   os << indent << "SaturationTolerance: " << this->SaturationTolerance << "\n";
+  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
+  os << indent << "ImagePairs: " << this->ImagePairs << "\n";
+  os << indent << "ImageResolution: " << this->ImageResolution << "\n";
+  os << indent << "ImageSpacing: " << this->ImageSpacing << "\n";
+  os << indent << "ChordLengths: " << this->ChordLengths << "\n";
+  os << indent << "RadialDistribution: " << this->RadialDistribution << "\n";
+  os << indent << "Autocovariance: " << this->Autocovariance << "\n";
 }

@@ -7,6 +7,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -78,4 +79,30 @@ inline vtkSmartPointer<vtkPolyData> MakePolyData(const ruc::SpherePack& pack, do
     }
   }
   return data;
+}
+
+/**
+ * A mask of 0.5-voxels around points, inside a ball that nearly fills a cube; the slab of one of
+ * `ranks` ranks, the planes of points between them on both, as ParaView hands images out.
+ */
+inline vtkSmartPointer<vtkImageData> MakeMask(double edge, std::size_t rank, std::size_t ranks)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  const double spacing = 0.5;
+  const int last = static_cast<int>(edge / spacing);
+  const int from = static_cast<int>(last * rank / ranks);
+  const int to = static_cast<int>(last * (rank + 1) / ranks);
+  image->SetExtent(0, last, 0, last, from, to);
+  image->SetSpacing(spacing, spacing, spacing);
+  vtkNew<vtkIntArray> label;
+  label->SetName("label");
+  label->SetNumberOfValues(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double* p = image->GetPoint(i);
+    const double d = std::hypot(p[0] - 0.5 * edge, p[1] - 0.5 * edge, p[2] - 0.5 * edge);
+    label->SetValue(i, d < 0.48 * edge ? 7 : 0);
+  }
+  image->GetPointData()->AddArray(label);
+  return image;
 }

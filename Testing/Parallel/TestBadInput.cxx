@@ -286,6 +286,116 @@ int main(int argc, char* argv[])
   Refuses<TwoPoint>("tolerance", { name, "SaturationTolerance requires", "got 0" }, pack, asIs, {},
     [](TwoPoint* f) { f->SetSaturationTolerance(0.0); });
 
+  for (int directions : { 1, -3 })
+  {
+    Refuses<TwoPoint>("directions " + std::to_string(directions),
+      { name, "NumberOfDirections requires 0 or a number >= 2", std::to_string(directions) }, pack,
+      asIs, {}, [=](TwoPoint* f) { f->SetNumberOfDirections(directions); });
+  }
+  for (const char* pairs : { "1", "1 2 3", "0 1", "4 m", "m x", ";", "1,1" })
+  {
+    Refuses<TwoPoint>(std::string("image pairs ") + pairs,
+      { name, "ImagePairs requires pairs of phases, 1 to 3 or m" }, pack, asIs, {},
+      [=](TwoPoint* f) { f->SetImagePairs(pairs); });
+  }
+  Refuses<TwoPoint>("image spacing", { name, "ImageSpacing requires", "got -1" }, pack, asIs, {},
+    [](TwoPoint* f)
+    {
+      f->SetImagePairs("m m");
+      f->SetImageSpacing(-1.0);
+    });
+
+  // Sampling
+  using OnePoint = vtkRUCOnePointProbability;
+  for (int method : { TwoPoint::CHORD_SAMPLING, TwoPoint::TEMPLATE_SAMPLING })
+  {
+    const auto refuses = [&](const std::string& what, const std::vector<std::string>& parts,
+                           const std::function<void(TwoPoint*)>& spoil, bool periodic = true)
+    {
+      Refuses<TwoPoint>(
+        what, parts, pack, asIs, {},
+        [=](TwoPoint* f)
+        {
+          f->SetMethod(method);
+          spoil(f);
+        },
+        periodic);
+    };
+    const std::string samples =
+      method == TwoPoint::CHORD_SAMPLING ? "NumberOfLines" : "NumberOfThrows";
+    refuses("no samples", { name, samples + " requires", "got 0" },
+      [](TwoPoint* f)
+      {
+        f->SetNumberOfLines(0);
+        f->SetNumberOfThrows(0);
+      });
+    refuses("negative error", { name, "TargetError requires", "got -0.1" },
+      [](TwoPoint* f) { f->SetTargetError(-0.1); });
+    refuses("an error out of reach", { name, "TargetError requires", "got 1e-12" },
+      [](TwoPoint* f) { f->SetTargetError(1e-12); });
+    refuses("seed", { name, "Seed requires", "got -1" }, [](TwoPoint* f) { f->SetSeed(-1); });
+    refuses("no lags", { name, "NumberOfLags requires", "got 0" },
+      [](TwoPoint* f) { f->SetNumberOfLags(0); });
+    refuses(
+      "margin", { name, "WindowMargin requires", "got -2" },
+      [](TwoPoint* f) { f->SetWindowMargin(-2.0); }, false);
+    refuses(
+      "margin as wide as the window", { name, "margin of 6" },
+      [](TwoPoint* f) { f->SetWindowMargin(6.0); }, false);
+    refuses(
+      "lag beyond the region", { name, "MaximumLag requires", "got 11.9" },
+      [](TwoPoint* f) { f->SetMaximumLag(11.9); }, false);
+    const auto refusesMask = [&](const std::string& what, const std::vector<std::string>& parts,
+                               const std::function<void(vtkImageData*)>& spoil,
+                               bool periodic = false)
+    {
+      refuses(
+        what, parts,
+        [&](TwoPoint* f)
+        {
+          const auto mask =
+            MakeMask(Edge, Controller->GetLocalProcessId(), Controller->GetNumberOfProcesses());
+          spoil(mask);
+          f->SetInputDataObject(1, mask);
+        },
+        periodic);
+    };
+    refusesMask("empty mask", { name, "ask requires at least one inside voxel" },
+      [](vtkImageData* m) { m->GetPointData()->GetArray(0)->Fill(0.0); });
+    refusesMask("mask that misses the pack",
+      { name, "Mask requires at least one centre of the pack inside", "none of 600" },
+      [](vtkImageData* m) { m->SetOrigin(100.0, 0.0, 0.0); });
+    refusesMask("mask thinner than the margin", { name, "ask requires inside voxels" },
+      [](vtkImageData* m) { m->SetSpacing(0.5, 0.5, 0.04); });
+    refusesMask("mask without an array", { name, "Mask requires an image with an array" },
+      [](vtkImageData* m) { m->GetPointData()->Initialize(); });
+    refusesMask(
+      "mask of a periodic pack", { name, "Mask requires a pack that is not periodic" },
+      [](vtkImageData*) {}, true);
+  }
+  Refuses<TwoPoint>("template and directions",
+    { name, "NumberOfDirections requires Method", "Template" }, pack, asIs, {},
+    [](TwoPoint* f)
+    {
+      f->SetMethod(TwoPoint::TEMPLATE_SAMPLING);
+      f->SetNumberOfDirections(4);
+    });
+  Refuses<TwoPoint>(
+    "mask and the exact sum", { name, "Mask requires Method", "Exact Pair Sum" }, pack, asIs, {},
+    [](TwoPoint* f)
+    {
+      f->SetInputDataObject(
+        1, MakeMask(Edge, Controller->GetLocalProcessId(), Controller->GetNumberOfProcesses()));
+    },
+    false);
+  Refuses<OnePoint>("lines", { "One-Point Probability", "NumberOfLines requires", "got -4" }, pack,
+    asIs, {},
+    [](OnePoint* f)
+    {
+      f->SetMethod(OnePoint::CHORD_SAMPLING);
+      f->SetNumberOfLines(-4);
+    });
+
   // The cell
   const std::string cell = "Unit Cell Reconstruction";
   Refuses<Cell>(

@@ -14,11 +14,13 @@
 #include "vtkRUCUnitCellReconstruction.h"
 
 #include "vtkCommunicator.h"
+#include "vtkImageData.h"
 #include "vtkMPIController.h"
 #include "vtkTable.h"
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -36,21 +38,29 @@ void Check(bool good, const std::string& what)
   }
 }
 
-// All numbers of a data set, array by array
+// All numbers of a set of arrays, and of a data set
+std::vector<double> Numbers(vtkFieldData* fields)
+{
+  std::vector<double> numbers;
+  for (int a = 0; fields && a < fields->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = fields->GetArray(a);
+    for (vtkIdType v = 0; array && v < array->GetNumberOfValues(); ++v)
+    {
+      numbers.push_back(array->GetComponent(
+        v / array->GetNumberOfComponents(), v % array->GetNumberOfComponents()));
+    }
+  }
+  return numbers;
+}
+
 std::vector<double> Numbers(vtkDataObject* data)
 {
   std::vector<double> numbers;
   const auto add = [&](vtkFieldData* fields)
   {
-    for (int a = 0; fields && a < fields->GetNumberOfArrays(); ++a)
-    {
-      vtkDataArray* array = fields->GetArray(a);
-      for (vtkIdType v = 0; array && v < array->GetNumberOfValues(); ++v)
-      {
-        numbers.push_back(array->GetComponent(
-          v / array->GetNumberOfComponents(), v % array->GetNumberOfComponents()));
-      }
-    }
+    const std::vector<double> more = Numbers(fields);
+    numbers.insert(numbers.end(), more.begin(), more.end());
   };
   if (auto* points = vtkPolyData::SafeDownCast(data))
   {
@@ -75,31 +85,68 @@ bool Same(const std::vector<double>& a, const std::vector<double>& b)
       [](double x, double y) { return x == y || (x != x && y != y); });
 }
 
+// The points of a slab of the whole image
+void CheckSlab(vtkImageData* slab, vtkImageData* whole, const std::string& what)
+{
+  Check(Same(Numbers(slab->GetFieldData()), Numbers(whole->GetFieldData())), what + ", field data");
+  const int* extent = slab->GetExtent();
+  for (int a = 0; a < whole->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* expected = whole->GetPointData()->GetArray(a);
+    vtkDataArray* got = slab->GetPointData()->GetArray(expected->GetName());
+    for (int k = extent[4]; k <= extent[5]; ++k)
+    {
+      for (int j = extent[2]; j <= extent[3]; ++j)
+      {
+        for (int i = extent[0]; i <= extent[1]; ++i)
+        {
+          int place[3] = { i, j, k };
+          Check(got->GetTuple1(slab->ComputePointId(place)) ==
+              expected->GetTuple1(whole->ComputePointId(place)),
+            what + ", " + expected->GetName());
+        }
+      }
+    }
+  }
+}
+
 // Runs the filter on all ranks with `piece` and on this one alone with `whole`; rank 0 compares
 // every output
 template <class Filter>
 void Compare(vtkMPIController* controller, const std::string& name, vtkPolyData* piece,
-  vtkPolyData* whole, const std::function<void(Filter*)>& configure, bool spreadOutput = false)
+  vtkPolyData* whole, const std::function<void(Filter*)>& configure, bool spreadOutput = false,
+  const std::vector<int>& emptyPorts = {}, vtkImageData* maskPiece = nullptr,
+  vtkImageData* mask = nullptr)
 {
   vtkNew<Filter> together;
   configure(together);
-  together->SetInputData(piece);
-  together->Update();
+  together->SetInputDataObject(0, piece);
   vtkNew<Filter> alone;
   configure(alone);
   alone->SetController(nullptr);
-  alone->SetInputData(whole);
+  alone->SetInputDataObject(0, whole);
+  if (mask)
+  {
+    together->SetInputDataObject(1, maskPiece);
+    alone->SetInputDataObject(1, mask);
+  }
+  together->Update();
   alone->Update();
   for (int port = 0; port < alone->GetNumberOfOutputPorts(); ++port)
   {
     vtkDataObject* expected = alone->GetOutputDataObject(port);
     vtkDataObject* got = together->GetOutputDataObject(port);
     const std::string what = name + ", output " + std::to_string(port);
-    // Tiles are asked for without their surfaces
-    Check((expected->GetNumberOfElements(vtkDataObject::POINT) +
-              expected->GetNumberOfElements(vtkDataObject::ROW) >
-            0) != (name.find("tiles") == 0 && port == 2),
+    const bool empty = expected->GetNumberOfElements(vtkDataObject::POINT) +
+        expected->GetNumberOfElements(vtkDataObject::ROW) ==
+      0;
+    Check(empty == (std::count(emptyPorts.begin(), emptyPorts.end(), port) > 0),
       what + " is empty or not, as asked");
+    if (auto* image = vtkImageData::SafeDownCast(got))
+    {
+      CheckSlab(image, vtkImageData::SafeDownCast(expected), what);
+      continue;
+    }
     if (spreadOutput && port != 1)
     {
       // the pieces in the order of the ranks are the whole
@@ -180,8 +227,60 @@ int main(int argc, char* argv[])
         const std::string name = std::string(periodic ? "periodic" : "block") + ", " + spread.Name;
         Compare<vtkRUCOnePointProbability>(
           controller, "one-point, " + name, piece, whole, [](auto*) {});
+        Compare<vtkRUCOnePointProbability>(controller, "one-point by chords, " + name, piece, whole,
+          [](auto* f)
+          {
+            f->SetMethod(vtkRUCOnePointProbability::CHORD_SAMPLING);
+            f->SetTargetError(0.02);
+          });
+        const std::vector<int> unasked = { 3, 4, 5, 6, 7, 8 };
         Compare<vtkRUCTwoPointProbability>(
-          controller, "two-point, " + name, piece, whole, [](auto* f) { f->SetNumberOfLags(40); });
+          controller, "two-point, " + name, piece, whole, [](auto* f) { f->SetNumberOfLags(40); },
+          false, unasked);
+        Compare<vtkRUCTwoPointProbability>(controller, "all of two-point, " + name, piece, whole,
+          [](auto* f)
+          {
+            f->SetNumberOfLags(40);
+            f->SetMaximumLag(4.0);
+            f->SetNumberOfLines(300);
+            f->SetNumberOfDirections(3);
+            f->SetImagePairs("1 1; 1 m; m m");
+            f->SetImageResolution(4);
+            f->SetChordLengths(true);
+            f->SetRadialDistribution(true);
+            f->SetAutocovariance(true);
+          });
+        Compare<vtkRUCTwoPointProbability>(controller, "chords, " + name, piece, whole,
+          [](auto* f)
+          {
+            f->SetMethod(vtkRUCTwoPointProbability::CHORD_SAMPLING);
+            f->SetNumberOfLags(40);
+            f->SetNumberOfLines(300);
+            f->SetNumberOfDirections(3);
+            f->SetChordLengths(true);
+          },
+          false, { 3, 7, 8 });
+        Compare<vtkRUCTwoPointProbability>(
+          controller, "template, " + name, piece, whole,
+          [](auto* f)
+          {
+            f->SetMethod(vtkRUCTwoPointProbability::TEMPLATE_SAMPLING);
+            f->SetNumberOfLags(40);
+            f->SetNumberOfThrows(100);
+          },
+          false, unasked);
+        if (!periodic)
+        {
+          Compare<vtkRUCTwoPointProbability>(
+            controller, "mask, " + name, piece, whole,
+            [](auto* f)
+            {
+              f->SetMethod(vtkRUCTwoPointProbability::CHORD_SAMPLING);
+              f->SetNumberOfLags(40);
+              f->SetNumberOfLines(300);
+            },
+            false, unasked, MakeMask(edge, rank, ranks), MakeMask(edge, 0, 1));
+        }
         Compare<vtkRUCUnitCellReconstruction>(controller, "cell, " + name, piece, whole,
           [](auto* f)
           {
@@ -199,14 +298,13 @@ int main(int argc, char* argv[])
               f->SetSurfaceResolution(8);
             },
             true);
-          Compare<vtkRUCPeriodicReplicas>(
-            controller, "tiles, " + name, piece, whole,
+          Compare<vtkRUCPeriodicReplicas>(controller, "tiles, " + name, piece, whole,
             [](auto* f)
             {
               f->SetMode(vtkRUCPeriodicReplicas::TILING);
               f->SetTiles(2, 1, 3);
             },
-            true);
+            true, { 2 }); // without their surfaces
         }
         // Modes stay with their spheres, on their ranks
         vtkNew<vtkRUCParticleModes> modes;
