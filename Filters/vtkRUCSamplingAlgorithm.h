@@ -8,11 +8,11 @@
  * which spheres with centres beyond the window, which are unknown, may lie; or the voxels of a mask
  * image, on the optional second input, without such a margin. Along periodic axes there is none.
  *
- * Chord Sampling takes isotropic uniform random lines through the region, Template Sampling throws
- * the paper's template of points (Fig. 4 of Lee et al., Phys. Rev. E 80, 061301, 2009). A point in
- * several spheres belongs to the lowest of their modes: overlaps count once. Standard errors come
- * from batches of samples. Results depend on the seed, and on nothing else: not on ranks and
- * threads.
+ * Chord Sampling takes grids of parallel lines of random directions through the region, Template
+ * Sampling throws the paper's template of points (Fig. 4 of Lee et al., Phys. Rev. E 80, 061301,
+ * 2009). A point in several spheres belongs to the lowest of their modes: overlaps count once.
+ * Standard errors come from batches of samples. Results depend on the seed, and on nothing else:
+ * not on ranks and threads.
  */
 #ifndef vtkRUCSamplingAlgorithm_h
 #define vtkRUCSamplingAlgorithm_h
@@ -70,7 +70,8 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
   ///@{
-  /** Lines that Chord Sampling takes, >= 1. Default: 20 000. */
+  /** Lines that Chord Sampling takes, about, >= 1: in 64 grids, more for more than 262 144. Field
+   * data `NumberOfLines` tells how many it were. Default: 20 000. */
   vtkSetMacro(NumberOfLines, int);
   vtkGetMacro(NumberOfLines, int);
   ///@}

@@ -202,10 +202,11 @@ TEST(SampledSums, RefusesBadSettings)
 
 TEST(SampledSums, BatchesHoldASixtyFourthOfTheSamples)
 {
-  EXPECT_EQ(ruc::SamplesInBatch({ 1, 1, 0.0 }), 1);
-  EXPECT_EQ(ruc::SamplesInBatch({ 1, 640, 0.0 }), 10);
-  EXPECT_EQ(ruc::SamplesInBatch({ 1, 1000000, 0.0 }), 32);
-  EXPECT_EQ(ruc::SamplesInBatch({ 1, 1, 0.5 }), 32);
+  EXPECT_EQ(ruc::SamplesInBatch({ 1, 1, 0.0 }, 32), 1);
+  EXPECT_EQ(ruc::SamplesInBatch({ 1, 640, 0.0 }, 32), 10);
+  EXPECT_EQ(ruc::SamplesInBatch({ 1, 641, 0.0 }, 32), 11);
+  EXPECT_EQ(ruc::SamplesInBatch({ 1, 1000000, 0.0 }, 32), 32);
+  EXPECT_EQ(ruc::SamplesInBatch({ 1, 1, 0.5 }, 32), 32);
 }
 
 namespace
@@ -219,9 +220,10 @@ SampledTwoPoint TossCoins(const SamplingSettings& settings, int size, int atOnce
   oracle::ThreadRanks::Run(size,
     [&](ruc::Communicator& ranks)
     {
-      SampledSums sums(1, { 0.0, 0 }, ruc::SamplesInBatch(settings));
-      const SampledTwoPoint own = ruc::TakeSamples(settings, Names, atOnce, sums, {}, ranks,
-        ranks.Rank() == 0 ? progress : ruc::SamplingProgress(),
+      const int samplesInBatch = ruc::SamplesInBatch(settings, 32);
+      SampledSums sums(1, { 0.0, 0 }, samplesInBatch);
+      const SampledTwoPoint own = ruc::TakeSamples(settings, Names, samplesInBatch, atOnce, sums,
+        {}, ranks, ranks.Rank() == 0 ? progress : ruc::SamplingProgress(),
         [&](const ruc::BatchRange& range)
         {
           for (std::int64_t batch = range.First; batch < range.End; ++batch)
@@ -298,7 +300,7 @@ TEST(SampledSums, SaysWhereATargetErrorHasNoPairs)
   ruc::Communicator serial;
   SampledSums sums(0, { 0.5, 1 }, 1.0);
   const double counts[] = { 1.0, 0.0 };
-  EXPECT_SAYS(ruc::TakeSamples({ 1, 0, 0.1 }, Names, 64, sums, {}, serial, {},
+  EXPECT_SAYS(ruc::TakeSamples({ 1, 0, 0.1 }, Names, 32, 64, sums, {}, serial, {},
                 [&](const ruc::BatchRange& range)
                 {
                   for (std::int64_t b = range.First; b < range.End; ++b)

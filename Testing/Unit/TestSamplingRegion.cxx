@@ -7,6 +7,7 @@
 namespace
 {
 using oracle::Pi;
+using ruc::LineBundle;
 using ruc::SampleLine;
 using ruc::SamplingRegion;
 using ruc::Vector3;
@@ -153,80 +154,101 @@ TEST(SamplingRegion, DirectionsAreIsotropic)
   ExpectMean(turn, 0.5);
 }
 
-TEST(SamplingRegion, LinesHitWithTheProjectedArea)
+namespace
 {
-  // Lines meet a convex region with a mean chord of 4 V / S (Cauchy), and with directions weighted
-  // by its projected area, which for a box is the sum of (face area) |d_q|: means over the sphere
-  // of |z|, |z|^3 and x^2 |z| are 1/2, 1/4 and 1/8.
-  const SamplingRegion box(Box, 0.0);
-  const Vector3 faces = { 35.0, 28.0, 20.0 };
-  const double faceSum = faces[0] + faces[1] + faces[2];
-  Mean chord, square[3];
-  SampleLine line;
-  for (std::uint32_t n = 0; n < 20000; ++n)
+// The lines of so many samples in a region of this surface: by Cauchy the mean projected area is a
+// quarter of it, the mean number of lines as asked for, and the mean chord 4 V / S. A grid covers
+// every place alike, so the integral of x^2 over the lines is that over the volume.
+void ExpectCoverage(const SamplingRegion& region, double surface, double meanSquareOfX)
+{
+  constexpr double number = 7.0;
+  Mean lines, length, square, direction[3];
+  for (std::uint32_t n = 0; n < 6000; ++n)
   {
-    box.RandomLine(3, n, 1.0, line);
-    ASSERT_EQ(line.Inside.size(), 1u);
-    chord.Add(LengthOf(line));
+    const LineBundle bundle = region.ParallelLines(3, n, number, 1.0);
+    lines.Add(static_cast<double>(bundle.Lines.size()));
+    EXPECT_LE(bundle.Lines.size(), region.MostLines(number));
+    double total = 0.0, integral = 0.0;
+    for (const SampleLine& line : bundle.Lines)
+    {
+      EXPECT_LE(line.Inside.back().End, region.LongestLine(1.0));
+      for (const ruc::LineInterval& in : line.Inside)
+      {
+        total += in.End - in.Begin;
+        // Simpson's rule is exact for squares
+        const double x0 = line.Start[0] + in.Begin * bundle.Direction[0];
+        const double x1 = line.Start[0] + in.End * bundle.Direction[0];
+        integral += (in.End - in.Begin) / 3.0 * (x0 * x0 + x0 * x1 + x1 * x1);
+      }
+    }
+    length.Add(total);
+    square.Add(integral);
     for (int q = 0; q < 3; ++q)
     {
-      square[q].Add(line.Direction[q] * line.Direction[q]);
+      direction[q].Add(bundle.Direction[q] * bundle.Direction[q]);
     }
   }
-  ExpectMean(chord, 4.0 * 140.0 / (2.0 * faceSum));
-  for (int q = 0; q < 3; ++q)
+  const double lengthPerVolume = number / (0.25 * surface);
+  ExpectMean(lines, number);
+  ExpectMean(length, region.Volume() * lengthPerVolume);
+  ExpectMean(square, meanSquareOfX * region.Volume() * lengthPerVolume);
+  for (const Mean& mean : direction)
   {
-    ExpectMean(square[q], (faces[q] / 8.0 + faceSum / 8.0) / (0.5 * faceSum));
+    ExpectMean(mean, 1.0 / 3.0);
   }
+}
+}
 
-  const SamplingRegion cylinder(Cylinder, 0.0);
-  Mean cylinderChord;
-  for (std::uint32_t n = 0; n < 20000; ++n)
-  {
-    cylinder.RandomLine(3, n, 1.0, line);
-    cylinderChord.Add(LengthOf(line));
-    EXPECT_LE(line.Inside.back().End, cylinder.LongestLine(1.0));
-  }
-  ExpectMean(cylinderChord, 4.0 * Pi * 4.0 * 5.0 / (2.0 * Pi * 4.0 + 2.0 * Pi * 2.0 * 5.0));
+TEST(SamplingRegion, ParallelLinesCoverEveryPlaceAlike)
+{
+  // x in [-1, 3]
+  ExpectCoverage(SamplingRegion(Box, 0.0), 2.0 * (20.0 + 28.0 + 35.0), (27.0 + 1.0) / 12.0);
+  // Upright, around x = 1, y = 0: mean of (x - 1)^2 is R^2 / 4
+  ExpectCoverage(SamplingRegion(Window::MakeCylinder({ 1, 0, 3 }, { 0, 0, 1 }, 2.0, 5.0), 0.0),
+    2.0 * Pi * 4.0 + 2.0 * Pi * 2.0 * 5.0, 1.0 + 1.0);
 
-  // Along one direction the mean chord is volume / projected area
+  // Along one direction the number is in proportion to the projected area
+  const SamplingRegion box(Box, 0.0);
   const Vector3 direction = { 2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0 };
-  Mean along;
-  for (std::uint32_t n = 0; n < 20000; ++n)
+  Mean lines;
+  for (std::uint32_t n = 0; n < 4000; ++n)
   {
-    box.RandomLineAlong(direction, 7, 3, n, 1.0, line);
-    EXPECT_EQ(line.Direction, direction);
-    along.Add(LengthOf(line));
+    const LineBundle bundle = box.ParallelLinesAlong(direction, 7, 3, n, 9.0, 1.0);
+    EXPECT_EQ(bundle.Direction, direction);
+    lines.Add(static_cast<double>(bundle.Lines.size()));
   }
-  ExpectMean(along, 140.0 / ((2.0 * 35.0 + 28.0 + 2.0 * 20.0) / 3.0));
+  ExpectMean(lines, 9.0 * ((2.0 * 35.0 + 28.0 + 2.0 * 20.0) / 3.0) / (0.5 * (35.0 + 28.0 + 20.0)));
 }
 
 TEST(SamplingRegion, LinesAreCutWherePointsLeaveIt)
 {
   oracle::Uniform random(12);
-  SampleLine line;
   for (const Window& window : { Box, Cylinder })
   {
     const SamplingRegion region(window, 0.3);
-    for (std::uint32_t n = 0; n < 500; ++n)
+    for (std::uint32_t n = 0; n < 50; ++n)
     {
-      region.RandomLine(1, n, 1.0, line);
-      ASSERT_EQ(line.Inside.size(), 1u);
-      for (int k = 0; k < 20; ++k)
+      const LineBundle bundle = region.ParallelLines(1, n, 10.0, 1.0);
+      for (const SampleLine& line : bundle.Lines)
       {
-        const double t = random(0.0, region.LongestLine(1.0));
-        const Vector3 p = { line.Start[0] + t * line.Direction[0],
-          line.Start[1] + t * line.Direction[1], line.Start[2] + t * line.Direction[2] };
-        const ruc::LineInterval in = line.Inside[0];
-        const bool near = std::abs(t - in.Begin) < 1e-9 || std::abs(t - in.End) < 1e-9;
-        EXPECT_TRUE(near || region.Contains(p) == (t > in.Begin && t < in.End));
+        ASSERT_EQ(line.Inside.size(), 1u);
+        for (int k = 0; k < 20; ++k)
+        {
+          const double t = random(0.0, region.LongestLine(1.0));
+          const Vector3 p = { line.Start[0] + t * bundle.Direction[0],
+            line.Start[1] + t * bundle.Direction[1], line.Start[2] + t * bundle.Direction[2] };
+          const ruc::LineInterval in = line.Inside[0];
+          const bool near = std::abs(t - in.Begin) < 1e-9 || std::abs(t - in.End) < 1e-9;
+          EXPECT_TRUE(near || region.Contains(p) == (t > in.Begin && t < in.End));
+        }
       }
     }
   }
   // Straight along the axis of an upright cylinder
   const SamplingRegion upright(Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, 1.0, 3.0), 0.0);
-  upright.RandomLineAlong({ 0, 0, 1 }, 0, 1, 0, 1.0, line);
-  EXPECT_DOUBLE_EQ(LengthOf(line), 3.0);
+  const LineBundle bundle = upright.ParallelLinesAlong({ 0, 0, 1 }, 0, 1, 0, 50.0, 1.0);
+  ASSERT_FALSE(bundle.Lines.empty());
+  EXPECT_DOUBLE_EQ(LengthOf(bundle.Lines[0]), 3.0);
 }
 
 TEST(SamplingRegion, AMaskOfABoxDrawsTheLinesOfTheBox)
@@ -236,35 +258,44 @@ TEST(SamplingRegion, AMaskOfABoxDrawsTheLinesOfTheBox)
   const SamplingRegion mask(VoxelMask({ 16, 20, 28 }, { -1, 2, 3 }, { 0.25, 0.25, 0.25 },
                               std::vector<std::uint8_t>(16 * 20 * 28, 1)),
     0.5);
-  SampleLine a, b;
-  for (std::uint32_t n = 0; n < 500; ++n)
+  for (std::uint32_t n = 0; n < 100; ++n)
   {
-    box.RandomLine(8, n, 1.0, a);
-    mask.RandomLine(8, n, 1.0, b);
-    ASSERT_EQ(b.Inside.size(), 1u);
-    EXPECT_NEAR(a.Inside[0].Begin, b.Inside[0].Begin, 1e-12);
-    EXPECT_NEAR(a.Inside[0].End, b.Inside[0].End, 1e-12);
+    const LineBundle a = box.ParallelLines(8, n, 10.0, 1.0);
+    const LineBundle b = mask.ParallelLines(8, n, 10.0, 1.0);
+    ASSERT_EQ(a.Lines.size(), b.Lines.size());
+    for (std::size_t k = 0; k < a.Lines.size(); ++k)
+    {
+      ASSERT_EQ(b.Lines[k].Inside.size(), 1u);
+      EXPECT_NEAR(a.Lines[k].Inside[0].Begin, b.Lines[k].Inside[0].Begin, 1e-12);
+      EXPECT_NEAR(a.Lines[k].Inside[0].End, b.Lines[k].Inside[0].End, 1e-12);
+    }
     EXPECT_EQ(box.RandomPoint(8, n), mask.RandomPoint(8, n));
   }
 }
 
-TEST(SamplingRegion, PeriodicLinesBeginUniformlyAndAreLong)
+TEST(SamplingRegion, PeriodicLinesPassThroughTheBoxOnceAndThenTheLag)
 {
-  const SamplingRegion region(oracle::PeriodicCube(3.0), 0.0);
-  SampleLine line;
-  Mean x, z, same;
-  for (std::uint32_t n = 0; n < 20000; ++n)
+  const SamplingRegion region(
+    Window::MakeBox({ 1, 0, 0 }, { 3.0, 4.0, 5.0 }, { true, true, true }), 0.0);
+  Mean turn, same;
+  for (std::uint32_t n = 0; n < 4000; ++n)
   {
-    region.RandomLine(1, n, 5.0, line);
-    ASSERT_EQ(line.Inside.size(), 1u);
-    EXPECT_EQ(line.Inside[0].Begin, 0.0);
-    EXPECT_EQ(line.Inside[0].End, 8.0);
-    x.Add(line.Start[0]);
-    z.Add(line.Direction[2] * line.Direction[2]);
+    const LineBundle bundle = region.ParallelLines(1, n, 6.0, 5.0);
+    EXPECT_LE(bundle.Lines.size(), region.MostLines(6.0));
+    const Vector3& d = bundle.Direction;
+    const double passage = std::min(
+      { 3.0 / std::abs(d[0]), 4.0 / std::abs(d[1]), 5.0 / std::abs(d[2]), std::sqrt(3.0) * 5.0 });
+    for (const SampleLine& line : bundle.Lines)
+    {
+      ASSERT_EQ(line.Inside.size(), 1u);
+      EXPECT_EQ(line.Inside[0].Begin, 0.0);
+      EXPECT_GE(line.Inside[0].End, passage + 5.0 - 1e-12);
+      EXPECT_LE(line.Inside[0].End, region.LongestLine(5.0));
+    }
+    turn.Add(d[2] * d[2]);
     // Lines and points share no numbers
-    same.Add((line.Start[1] - 1.5) * (region.RandomPoint(1, n)[1] - 1.5));
+    same.Add(d[1] * (region.RandomPoint(1, n)[1] - 2.0));
   }
-  ExpectMean(x, 1.5);
-  ExpectMean(z, 1.0 / 3.0);
+  ExpectMean(turn, 1.0 / 3.0);
   ExpectMean(same, 0.0);
 }

@@ -15,7 +15,7 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 
-// Streams of UniformTriple; lines of set n take the n-th after these
+// Streams of UniformTriple; parallel lines of set n take the n-th after these
 constexpr std::uint32_t PointStream = 0x9017f500u;
 constexpr std::uint32_t DirectionStream = 0xd14ec700u;
 constexpr std::uint32_t LineDirectionStream = 0x71000000u;
@@ -190,73 +190,135 @@ double SamplingRegion::RandomTurn(std::uint32_t seed, std::uint32_t sample)
   return UniformTriple(seed, DirectionStream, sample)[2];
 }
 
-void SamplingRegion::RandomLine(
-  std::uint32_t seed, std::uint32_t sample, double maximumLag, SampleLine& line) const
+LineBundle SamplingRegion::ParallelLines(
+  std::uint32_t seed, std::uint32_t sample, double number, double maximumLag) const
 {
-  this->DrawLine(nullptr, 0, seed, sample, maximumLag, line);
+  const std::array<double, 3> u = UniformTriple(seed, LineDirectionStream, sample);
+  return this->ParallelLinesAlong(
+    IsotropicDirection(u[0], u[1]), 0, seed, sample, number, maximumLag);
 }
 
-void SamplingRegion::RandomLineAlong(const Vector3& direction, std::uint32_t set,
-  std::uint32_t seed, std::uint32_t sample, double maximumLag, SampleLine& line) const
+LineBundle SamplingRegion::ParallelLinesAlong(const Vector3& direction, std::uint32_t set,
+  std::uint32_t seed, std::uint32_t sample, double number, double maximumLag) const
 {
-  this->DrawLine(&direction, set, seed, sample, maximumLag, line);
+  const std::array<double, 3> v = UniformTriple(seed, LinePlaceStream + set, sample);
+  if (this->IsFullyPeriodic())
+  {
+    return this->PeriodicLines(direction, v, number, maximumLag);
+  }
+  // Two directions across the lines; the first from the axis that is furthest from along them
+  const Vector3& d = direction;
+  const double x = std::abs(d[0]), y = std::abs(d[1]), z = std::abs(d[2]);
+  const Vector3 a = x <= y && x <= z ? Vector3{ 0.0, -d[2], d[1] }
+    : y <= z                         ? Vector3{ d[2], 0.0, -d[0] }
+                                     : Vector3{ -d[1], d[0], 0.0 };
+  const Vector3 b = { d[1] * a[2] - d[2] * a[1], d[2] * a[0] - d[0] * a[2],
+    d[0] * a[1] - d[1] * a[0] };
+  const double spacing = this->GridSpacing(number);
+  const double norm = std::hypot(a[0], a[1], a[2]);
+  const double c = spacing * std::cos(2.0 * Pi * v[2]) / norm;
+  const double s = spacing * std::sin(2.0 * Pi * v[2]) / norm;
+  Vector3 axisI, axisJ, origin;
+  for (int q = 0; q < 3; ++q)
+  {
+    axisI[q] = c * a[q] + s * b[q];
+    axisJ[q] = c * b[q] - s * a[q];
+    origin[q] = this->Centre[q] - this->Radius * d[q] + v[0] * axisI[q] + v[1] * axisJ[q];
+  }
+  // Across the lines the region lies in the disc of the bounding sphere
+  const double reach = this->Radius / spacing;
+  const int last = static_cast<int>(reach) + 1;
+  LineBundle bundle(this->Bounds, direction, origin, axisI, axisJ, { -last, -last },
+    { 2 * last + 1, 2 * last + 1 });
+  std::vector<LineInterval> inside;
+  for (int i = -last; i <= last; ++i)
+  {
+    for (int j = -last; j <= last; ++j)
+    {
+      if (std::hypot(i + v[0], j + v[1]) <= reach)
+      {
+        this->Clip(bundle.StartOf(i, j), direction, 2.0 * this->Radius, inside);
+        if (!inside.empty())
+        {
+          bundle.AddLine(i, j, inside);
+        }
+      }
+    }
+  }
+  return bundle;
+}
+
+// The plane is that of the face that is best across the lines, moved to any place; the lattice
+// closes over the periodic edges.
+LineBundle SamplingRegion::PeriodicLines(const Vector3& direction,
+  const std::array<double, 3>& shift, double number, double maximumLag) const
+{
+  int across = 0;
+  for (int q = 1; q < 3; ++q)
+  {
+    across = std::abs(direction[q]) > std::abs(direction[across]) ? q : across;
+  }
+  const int p = (across + 1) % 3, q = (across + 2) % 3;
+  const Vector3& size = this->Bounds.Size;
+  const int rows =
+    std::max(1, static_cast<int>(std::lround(std::sqrt(number * size[p] / size[q]))));
+  const int columns = std::max(1, static_cast<int>(std::lround(number / rows)));
+  Vector3 axisI{}, axisJ{}, origin = this->Bounds.Origin;
+  axisI[p] = size[p] / rows;
+  axisJ[q] = size[q] / columns;
+  origin[p] += shift[0] * axisI[p];
+  origin[q] += shift[1] * axisJ[q];
+  origin[across] += shift[2] * size[across];
+  const double length = size[across] / std::abs(direction[across]) + maximumLag;
+  LineBundle bundle(this->Bounds, direction, origin, axisI, axisJ, { 0, 0 }, { rows, columns });
+  for (int i = 0; i < rows; ++i)
+  {
+    for (int j = 0; j < columns; ++j)
+    {
+      bundle.AddLine(i, j, { { 0.0, length } });
+    }
+  }
+  return bundle;
 }
 
 double SamplingRegion::LongestLine(double maximumLag) const
 {
+  const Vector3& size = this->Bounds.Size;
   return this->IsFullyPeriodic()
-    ? maximumLag + *std::max_element(this->Bounds.Size.begin(), this->Bounds.Size.end())
+    ? maximumLag + std::sqrt(3.0) * *std::max_element(size.begin(), size.end())
     : 2.0 * this->Radius;
 }
 
-void SamplingRegion::DrawLine(const Vector3* direction, std::uint32_t set, std::uint32_t seed,
-  std::uint32_t sample, double maximumLag, SampleLine& line) const
+// The mean projected area of a convex region is a quarter of its surface (Cauchy).
+double SamplingRegion::GridSpacing(double number) const
 {
-  const double length = this->LongestLine(maximumLag);
-  for (std::uint64_t attempt = 0;; ++attempt)
-  {
-    const std::uint64_t counter = Attempt(sample, attempt);
-    const std::array<double, 3> u = UniformTriple(seed, LineDirectionStream + set, counter);
-    const std::array<double, 3> v = UniformTriple(seed, LinePlaceStream + set, counter);
-    line.Direction = direction ? *direction : IsotropicDirection(u[0], u[1]);
-    if (this->IsFullyPeriodic())
-    {
-      for (int q = 0; q < 3; ++q)
-      {
-        line.Start[q] = this->Bounds.Origin[q] + v[q] * this->Bounds.Size[q];
-      }
-      line.Inside.assign(1, { 0.0, length });
-      return;
-    }
-    // Two directions across the line; the first from the axis that is furthest from along it
-    const Vector3& d = line.Direction;
-    const double x = std::abs(d[0]), y = std::abs(d[1]), z = std::abs(d[2]);
-    Vector3 across = x <= y && x <= z ? Vector3{ 0.0, -d[2], d[1] }
-      : y <= z                        ? Vector3{ d[2], 0.0, -d[0] }
-                                      : Vector3{ -d[1], d[0], 0.0 };
-    const double norm = std::hypot(across[0], across[1], across[2]);
-    const double distance = this->Radius * std::sqrt(v[0]);
-    const double c = distance * std::cos(2.0 * Pi * v[1]) / norm;
-    const double s = distance * std::sin(2.0 * Pi * v[1]) / norm;
-    const Vector3 other = { d[1] * across[2] - d[2] * across[1],
-      d[2] * across[0] - d[0] * across[2], d[0] * across[1] - d[1] * across[0] };
-    for (int q = 0; q < 3; ++q)
-    {
-      line.Start[q] = this->Centre[q] + c * across[q] + s * other[q] - this->Radius * d[q];
-    }
-    this->Clip(line, length);
-    if (!line.Inside.empty())
-    {
-      return;
-    }
-  }
+  const Window& shape = this->Shape;
+  const Vector3& size = shape.Size;
+  const double area = shape.GetShape() == Window::Shape::Cylinder
+    ? 0.5 * Pi * shape.Radius * (shape.Radius + shape.Height)
+    : 0.5 * (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
+  return std::sqrt(area / number);
 }
 
-void SamplingRegion::Clip(SampleLine& line, double length) const
+double SamplingRegion::MostLines(double number) const
+{
+  if (this->IsFullyPeriodic())
+  {
+    // Rows and columns are rounded; with more rows than lines asked for there is one column
+    const Vector3& size = this->Bounds.Size;
+    const auto [least, greatest] = std::minmax_element(size.begin(), size.end());
+    return 2.0 * number + 2.0 * std::sqrt(number * *greatest / *least) + 2.0;
+  }
+  const double across = 2.0 * this->Radius / this->GridSpacing(number) + 1.0;
+  return across * across;
+}
+
+void SamplingRegion::Clip(const Vector3& start, const Vector3& direction, double length,
+  std::vector<LineInterval>& inside) const
 {
   if (this->Mask)
   {
-    this->Mask->Intersect(line.Start, line.Direction, length, line.Inside);
+    this->Mask->Intersect(start, direction, length, inside);
     return;
   }
   double begin = 0.0, end = length;
@@ -264,23 +326,23 @@ void SamplingRegion::Clip(SampleLine& line, double length) const
   {
     for (int q = 0; q < 3; ++q)
     {
-      ClipToSlab(line.Start[q], line.Direction[q], this->Shape.Origin[q],
+      ClipToSlab(start[q], direction[q], this->Shape.Origin[q],
         this->Shape.Origin[q] + this->Shape.Size[q], begin, end);
     }
   }
   else
   {
-    const Vector3 from = { line.Start[0] - this->Shape.Base[0], line.Start[1] - this->Shape.Base[1],
-      line.Start[2] - this->Shape.Base[2] };
+    const Vector3 from = { start[0] - this->Shape.Base[0], start[1] - this->Shape.Base[1],
+      start[2] - this->Shape.Base[2] };
     const double position = Dot(from, this->Shape.Axis);
-    const double slope = Dot(line.Direction, this->Shape.Axis);
+    const double slope = Dot(direction, this->Shape.Axis);
     ClipToSlab(position, slope, 0.0, this->Shape.Height, begin, end);
     // Across the axis: |p + t w| <= radius
     Vector3 p, w;
     for (int q = 0; q < 3; ++q)
     {
       p[q] = from[q] - position * this->Shape.Axis[q];
-      w[q] = line.Direction[q] - slope * this->Shape.Axis[q];
+      w[q] = direction[q] - slope * this->Shape.Axis[q];
     }
     const double radius2 = this->Shape.Radius * this->Shape.Radius;
     const double w2 = Dot(w, w);
@@ -298,10 +360,10 @@ void SamplingRegion::Clip(SampleLine& line, double length) const
       end = begin;
     }
   }
-  line.Inside.clear();
+  inside.clear();
   if (begin < end)
   {
-    line.Inside.push_back({ begin, end });
+    inside.push_back({ begin, end });
   }
 }
 }

@@ -2,28 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Geometry/LineBundle.h"
 #include "Geometry/VoxelMask.h"
 #include "Geometry/Window.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace ruc
 {
-/** The points Start + t Direction (of length 1) with t in one of the ascending intervals. */
-struct SampleLine
-{
-  Vector3 Start, Direction;
-  std::vector<LineInterval> Inside;
-};
-
 /**
  * The points that are sampled: those of a window or mask that are so far from its border that every
  * sphere that can hold them is known.
  *
- * Random points and lines depend on (seed, sample) alone, sample < 2^32, and are the same on every
- * rank and thread.
+ * Random points and sets of lines depend on (seed, sample) alone, sample < 2^32, and are the same
+ * on every rank and thread.
  */
 class SamplingRegion
 {
@@ -62,30 +57,35 @@ public:
   static double RandomTurn(std::uint32_t seed, std::uint32_t sample);
 
   /**
-   * An isotropic uniform random (IUR) line: its direction isotropic, its place uniform on the disc
-   * of the bounding sphere across it, drawn again until it hits the region, and clipped to it. A
-   * partly periodic box is clipped at all its faces.
-   * In a fully periodic box the line begins at a point uniform in it, leaves it, and has the length
-   * `maximumLag` + the longest edge.
+   * Parallel lines in a square grid, which the random numbers of `sample` shift and turn: a
+   * systematic sample of the lines of its direction, in which every place of the region is as
+   * likely as any other. They are clipped to the region, a partly periodic box at all its faces.
+   * `number` > 0 is how many lines there are in the mean over directions (of a mask: that meet its
+   * bounds). In a fully periodic box they begin in a plane parallel to a face, and pass through the
+   * box once and then over a further `maximumLag`. The direction is isotropic, or the one given (of
+   * length 1); sets of lines, number `set` < 2^24, share no random numbers.
    */
-  void RandomLine(
-    std::uint32_t seed, std::uint32_t sample, double maximumLag, SampleLine& line) const;
-
-  /** The same with a given direction (of length 1); sets of lines, number `set` < 2^24, share no
-   * random numbers. */
-  void RandomLineAlong(const Vector3& direction, std::uint32_t set, std::uint32_t seed,
-    std::uint32_t sample, double maximumLag, SampleLine& line) const;
+  LineBundle ParallelLines(
+    std::uint32_t seed, std::uint32_t sample, double number, double maximumLag) const;
+  LineBundle ParallelLinesAlong(const Vector3& direction, std::uint32_t set, std::uint32_t seed,
+    std::uint32_t sample, double number, double maximumLag) const;
 
   /** No line is longer than this, gaps included. */
   double LongestLine(double maximumLag) const;
 
+  /** There are never more parallel lines than this where `number` are asked for. */
+  double MostLines(double number) const;
+
 private:
   // Sets the bounding sphere to that of the bounds
   void EncloseBounds();
-  void DrawLine(const Vector3* direction, std::uint32_t set, std::uint32_t seed,
-    std::uint32_t sample, double maximumLag, SampleLine& line) const;
-  // The parts of Start + t Direction, 0 <= t <= length, inside
-  void Clip(SampleLine& line, double length) const;
+  // The distance of parallel lines
+  double GridSpacing(double number) const;
+  LineBundle PeriodicLines(const Vector3& direction, const std::array<double, 3>& shift,
+    double number, double maximumLag) const;
+  // Replaces `inside` by the parts of start + t direction, 0 <= t <= length, that are inside
+  void Clip(const Vector3& start, const Vector3& direction, double length,
+    std::vector<LineInterval>& inside) const;
 
   Window Shape; // after the margin; of a mask its bounds
   std::optional<VoxelMask> Mask;

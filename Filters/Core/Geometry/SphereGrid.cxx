@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ruc
 {
@@ -147,77 +146,6 @@ void SphereGrid::ForEachCellOf(const Copy& copy, Visit&& visit) const
         }
       }
     }
-  }
-}
-
-void SphereGrid::Trace(const Vector3& start, const Vector3& direction, double begin, double end,
-  std::vector<SphereHit>& hits) const
-{
-  if (this->Copies.empty())
-  {
-    return;
-  }
-  int cell[3];       // of the box
-  int edges[3] = {}; // by which the line has left the box
-  int step[3];
-  double next[3]; // where the line leaves the cell along each axis
-  const auto leaves = [&](int q)
-  {
-    const double along = this->Box.Origin[q] + edges[q] * this->Box.Size[q] +
-      (cell[q] + (step[q] > 0)) * this->Edge[q];
-    return step[q] == 0 ? std::numeric_limits<double>::infinity()
-                        : (along - start[q]) / direction[q];
-  };
-  for (int q = 0; q < 3; ++q)
-  {
-    cell[q] = this->CellAlong(q, start[q] + begin * direction[q]);
-    step[q] = direction[q] > 0.0 ? 1 : direction[q] < 0.0 ? -1 : 0;
-    next[q] = leaves(q);
-  }
-  double t = begin;
-  while (t < end)
-  {
-    const int q = next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
-    const double after = std::clamp(next[q], t, end);
-    const std::size_t number = this->CellNumber(cell[0], cell[1], cell[2]);
-    for (std::uint32_t n = this->CellBegin[number]; n < this->CellBegin[number + 1]; ++n)
-    {
-      const Copy& copy = this->Copies[this->Places[n]];
-      const double x = copy.X + (copy.Image[0] + edges[0]) * this->Box.Size[0] - start[0];
-      const double y = copy.Y + (copy.Image[1] + edges[1]) * this->Box.Size[1] - start[1];
-      const double z = copy.Z + (copy.Image[2] + edges[2]) * this->Box.Size[2] - start[2];
-      const double middle = x * direction[0] + y * direction[1] + z * direction[2];
-      const double px = x - middle * direction[0];
-      const double py = y - middle * direction[1];
-      const double pz = z - middle * direction[2];
-      const double half2 = copy.Radius * copy.Radius - (px * px + py * py + pz * pz);
-      if (half2 > 0.0)
-      {
-        const double half = std::sqrt(half2);
-        const double in = middle - half, out = middle + half;
-        // Of the cells, and passages through the box, that hold a part of the chord, the one it
-        // begins in reports it.
-        const double first = std::max(in, begin);
-        if (first >= t && first < after && out > first)
-        {
-          hits.push_back({ in, out, copy.Mode });
-        }
-      }
-    }
-    t = after;
-    cell[q] += step[q];
-    if (cell[q] < 0 || cell[q] == this->Count[q])
-    {
-      if (!this->Box.IsFullyPeriodic())
-      {
-        cell[q] -= step[q];
-        next[q] = std::numeric_limits<double>::infinity();
-        continue;
-      }
-      edges[q] += step[q];
-      cell[q] = step[q] > 0 ? 0 : this->Count[q] - 1;
-    }
-    next[q] = leaves(q);
   }
 }
 

@@ -11,22 +11,14 @@
 
 namespace ruc
 {
-/** A sphere that a line passes through: where it enters and leaves it, and its mode from 0. */
-struct SphereHit
-{
-  double In, Out;
-  int Mode;
-};
-
 /**
  * The spheres of a pack sorted into the cells of a grid over a box, each cell with all spheres that
- * reach into it, for tracing lines and looking points up. Along a periodic axis the images of the
+ * reach into it, for looking points up. Along a periodic axis the images of the
  * spheres count as spheres of their own. Memory is linear in the number of spheres, about 100 bytes
  * each beyond the pack, whatever their sizes.
  *
- * What a query returns depends on the spheres and the line or point alone, bit by bit, never on the
- * grid: the queries of the shares of a pack add up to those of the whole. Queries may run
- * concurrently.
+ * What a query returns depends on the spheres and the point alone, never on the grid. Queries may
+ * run concurrently.
  */
 class SphereGrid
 {
@@ -37,16 +29,6 @@ public:
    * what does not reach into the box is not found.
    */
   SphereGrid(const SpherePack& pack, const Window& box);
-
-  /**
-   * Appends to `hits`, in no particular order, every sphere that the part begin <= t <= end of the
-   * line start + t direction (of length 1) has a common stretch with. In and Out are those of the
-   * whole sphere, so they may lie before begin and beyond end. The part must lie in the box, within
-   * rounding, unless all axes are periodic; it may then be of any length, begins in the box, and
-   * meets every image of every sphere once.
-   */
-  void Trace(const Vector3& start, const Vector3& direction, double begin, double end,
-    std::vector<SphereHit>& hits) const;
 
   /** The lowest mode, from 0, of the spheres that hold a point of the box, or `none`. */
   int LowestModeAt(const Vector3& point, int none) const;

@@ -21,13 +21,13 @@ double Positive(double x)
 }
 }
 
-ChordLengthSums::ChordLengthSums(int modes, const LagGrid& lags, double longest, int linesInBatch)
+ChordLengthSums::ChordLengthSums(int modes, const LagGrid& lags, double longest, double mostLines)
   : Phases(modes + 1)
   , Lags(lags)
-  , MostCounts(MostChords * linesInBatch)
-  , Counts(modes + 1, lags.Count + 1, MostCounts, linesInBatch * longest * lags.Spacing)
-  , Paths(modes + 1, lags.Count + 1, linesInBatch * longest, linesInBatch * longest)
-  , Ends(modes + 1, 1, MostCounts, linesInBatch * longest)
+  , MostCounts(std::exp2(std::ceil(std::log2(MostChords * mostLines))))
+  , Counts(modes + 1, lags.Count + 1, MostCounts, mostLines * longest * lags.Spacing)
+  , Paths(modes + 1, lags.Count + 1, mostLines * longest, mostLines * longest)
+  , Ends(modes + 1, 1, MostCounts, mostLines * longest)
 {
 }
 

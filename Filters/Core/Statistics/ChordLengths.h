@@ -47,8 +47,8 @@ struct ChordLengths
 class ChordLengthSums
 {
 public:
-  /** `longest`: no line is longer. */
-  ChordLengthSums(int modes, const LagGrid& lags, double longest, int linesInBatch);
+  /** No line is longer than `longest`, no batch has more than `mostLines`. */
+  ChordLengthSums(int modes, const LagGrid& lags, double longest, double mostLines);
 
   /** What one batch adds up, on one thread. */
   struct Batch

@@ -135,16 +135,19 @@ void LineCorrelation::Clear()
 
 namespace
 {
-constexpr SampleNames Lines = { "NumberOfLines", "lines" };
+constexpr SampleNames LineNames = { "NumberOfLines", "lines" };
+// The closer the lines of a batch, the less they say for each; the fewer the batches, the less is
+// known of their scatter
+constexpr int LinesInAimedBatch = 512, MostLinesInBatch = 4096;
 
-// Batches of lines that all ranks trace through their own spheres; the hits of a batch come
-// together on the rank that owns it, batch % ranks.
+// Batches of parallel lines that all ranks trace through their own spheres; the hits of a batch
+// come together on the rank that owns it, batch % ranks.
 class ChordSampler
 {
 public:
-  ChordSampler(const SphereGrid& grid, int modes, const SamplingRegion& region, const LagGrid& lags,
+  ChordSampler(const SpherePack& own, int modes, const SamplingRegion& region, const LagGrid& lags,
     const SamplingSettings& settings, Communicator& communicator)
-    : Grid(grid)
+    : Own(own)
     , Modes(modes)
     , Region(region)
     , Lags(lags)
@@ -162,24 +165,33 @@ public:
 
   SampledTwoPoint Sample(ChordLengths* chordLengths, const SamplingProgress& progress)
   {
-    const int linesInBatch = SamplesInBatch(this->Settings);
+    const bool aimed = this->Settings.TargetError > 0.0;
+    const int linesInBatch =
+      SamplesInBatch(this->Settings, aimed ? LinesInAimedBatch : MostLinesInBatch);
+    const std::int64_t batches = (this->Settings.Samples + linesInBatch - 1) / linesInBatch;
+    this->LinesInBatch =
+      aimed ? linesInBatch : static_cast<double>(this->Settings.Samples) / batches;
     const double longest = this->Region.LongestLine(this->Lags.Maximum());
-    SampledSums sums(this->Modes, this->Lags, linesInBatch * longest);
+    const double mostLines = this->Region.MostLines(this->LinesInBatch);
+    SampledSums sums(this->Modes, this->Lags, mostLines * longest);
     std::optional<ChordLengthSums> lengths;
     if (chordLengths)
     {
-      lengths.emplace(this->Modes, this->Lags, longest, linesInBatch);
+      lengths.emplace(this->Modes, this->Lags, longest, mostLines);
     }
-    // About 10 MB of hits where a line meets 200 spheres
-    const int batchesAtOnce = std::max(64, 2 * this->Ranks.Size());
-    const SampledTwoPoint result = TakeSamples(this->Settings, Lines, batchesAtOnce, sums,
-      lengths ? lengths->GetRatios() : std::vector<SampledRatios*>(), this->Ranks, progress,
+    // Some 10 MB of hits where a line meets 100 spheres
+    const int batchesAtOnce =
+      std::max({ MostLinesInBatch / linesInBatch, 2 * this->Ranks.Size(), 1 });
+    this->Drawn = 0;
+    SampledTwoPoint result = TakeSamples(this->Settings, LineNames, linesInBatch, batchesAtOnce,
+      sums, lengths ? lengths->GetRatios() : std::vector<SampledRatios*>(), this->Ranks, progress,
       [&](const BatchRange& range)
       {
         this->Trace(range);
         this->Gather(range);
         this->Accumulate(range, sums, lengths ? &*lengths : nullptr);
       });
+    result.Samples = this->Drawn;
     if (chordLengths)
     {
       *chordLengths = lengths->Result();
@@ -188,44 +200,47 @@ public:
   }
 
 private:
+  // The lines of a batch and the spheres they meet
+  struct Batch
+  {
+    std::vector<SampleLine> Lines;
+    std::vector<std::vector<SphereHit>> Hits;
+  };
+
   void Trace(const BatchRange& range)
   {
-    const std::int64_t first = range.FirstSample(range.First);
-    const std::int64_t count = range.EndSample(range.End - 1) - first;
-    this->Drawn.resize(count);
-    this->Hits.resize(count);
-#pragma omp parallel for schedule(dynamic, 8)
-    for (std::int64_t n = 0; n < count; ++n)
+    this->Batches.assign(range.End - range.First, {});
+#pragma omp parallel for schedule(dynamic)
+    for (std::int64_t n = 0; n < range.End - range.First; ++n)
     {
-      SampleLine& line = this->Drawn[n];
-      const auto sample = static_cast<std::uint32_t>(first + n);
-      if (this->Direction)
-      {
-        this->Region.RandomLineAlong(
-          *this->Direction, this->Set, this->Settings.Seed, sample, this->Lags.Maximum(), line);
-      }
-      else
-      {
-        this->Region.RandomLine(this->Settings.Seed, sample, this->Lags.Maximum(), line);
-      }
-      this->Hits[n].clear();
-      this->Grid.Trace(line.Start, line.Direction, line.Inside.front().Begin,
-        line.Inside.back().End, this->Hits[n]);
+      const auto sample = static_cast<std::uint32_t>(range.First + n);
+      LineBundle bundle = this->Direction
+        ? this->Region.ParallelLinesAlong(*this->Direction, this->Set, this->Settings.Seed, sample,
+            this->LinesInBatch, this->Lags.Maximum())
+        : this->Region.ParallelLines(
+            this->Settings.Seed, sample, this->LinesInBatch, this->Lags.Maximum());
+      Batch& batch = this->Batches[n];
+      batch.Hits.resize(bundle.Lines.size());
+      bundle.FindHits(this->Own, batch.Hits);
+      batch.Lines = std::move(bundle.Lines);
+    }
+    for (const Batch& batch : this->Batches)
+    {
+      this->Drawn += static_cast<std::int64_t>(batch.Lines.size());
     }
   }
 
-  // Calls visit(n) for every line of the batches that a rank owns, in order
+  // Calls visit(hits) for every line of the batches that a rank owns, in order
   template <class Visit>
-  void ForEachLineOf(int rank, const BatchRange& range, Visit&& visit) const
+  void ForEachLineOf(int rank, const BatchRange& range, Visit&& visit)
   {
-    const std::int64_t first = range.FirstSample(range.First);
     for (std::int64_t batch = range.First; batch < range.End; ++batch)
     {
       if (batch % this->Ranks.Size() == rank)
       {
-        for (std::int64_t i = range.FirstSample(batch); i < range.EndSample(batch); ++i)
+        for (std::vector<SphereHit>& hits : this->Batches[batch - range.First].Hits)
         {
-          visit(i - first);
+          visit(hits);
         }
       }
     }
@@ -245,10 +260,10 @@ private:
       if (rank != own)
       {
         this->ForEachLineOf(rank, range,
-          [&](std::int64_t n)
+          [&](const std::vector<SphereHit>& hits)
           {
-            parcels[rank].push_back(static_cast<double>(this->Hits[n].size()));
-            for (const SphereHit& hit : this->Hits[n])
+            parcels[rank].push_back(static_cast<double>(hits.size()));
+            for (const SphereHit& hit : hits)
             {
               parcels[rank].insert(
                 parcels[rank].end(), { hit.In, hit.Out, static_cast<double>(hit.Mode) });
@@ -263,11 +278,11 @@ private:
       {
         const double* number = parcels[rank].data();
         this->ForEachLineOf(own, range,
-          [&](std::int64_t n)
+          [&](std::vector<SphereHit>& hits)
           {
             for (auto left = static_cast<std::int64_t>(*number++); left > 0; --left, number += 3)
             {
-              this->Hits[n].push_back({ number[0], number[1], static_cast<int>(number[2]) });
+              hits.push_back({ number[0], number[1], static_cast<int>(number[2]) });
             }
           });
       }
@@ -276,7 +291,6 @@ private:
 
   void Accumulate(const BatchRange& range, SampledSums& sums, ChordLengthSums* lengths)
   {
-    const std::int64_t first = range.FirstSample(range.First);
 #pragma omp parallel
     {
       LineCorrelation correlation(this->Modes, this->Lags);
@@ -293,14 +307,14 @@ private:
         {
           continue;
         }
-        for (std::int64_t i = range.FirstSample(batch); i < range.EndSample(batch); ++i)
+        Batch& own = this->Batches[batch - range.First];
+        for (std::size_t n = 0; n < own.Lines.size(); ++n)
         {
-          const std::int64_t n = i - first;
-          FindPhaseChanges(this->Hits[n], this->Drawn[n].Inside, this->Modes, changes);
+          FindPhaseChanges(own.Hits[n], own.Lines[n].Inside, this->Modes, changes);
           correlation.AddLine(changes);
           if (lengths)
           {
-            lengths->AddLine(changes, this->Drawn[n].Inside, chords);
+            lengths->AddLine(changes, own.Lines[n].Inside, chords);
           }
         }
         sums.AddBatch(correlation.Finish());
@@ -313,7 +327,7 @@ private:
     }
   }
 
-  const SphereGrid& Grid;
+  const SpherePack& Own;
   int Modes;
   const SamplingRegion& Region;
   LagGrid Lags;
@@ -321,9 +335,9 @@ private:
   Communicator& Ranks;
   std::optional<Vector3> Direction;
   std::uint32_t Set = 0;
-  // Of the batches in hand
-  std::vector<SampleLine> Drawn;
-  std::vector<std::vector<SphereHit>> Hits;
+  double LinesInBatch = 0.0;  // in the mean
+  std::int64_t Drawn = 0;     // lines so far
+  std::vector<Batch> Batches; // in hand
 };
 }
 
@@ -331,13 +345,12 @@ SampledTwoPoint SampleChords(const SpherePack& own, int modes, const SamplingReg
   const LagGrid& lags, const SamplingSettings& settings, Communicator& communicator,
   const SamplingProgress& progress, ChordLengths* chordLengths)
 {
-  CheckSampling(settings, Lines, modes, lags, region);
+  CheckSampling(settings, LineNames, modes, lags, region);
   if (chordLengths && lags.Count < 1)
   {
     throw std::invalid_argument("Chord lengths require NumberOfLags >= 1, got 0.");
   }
-  const SphereGrid grid(own, region.GetBounds());
-  return ChordSampler(grid, modes, region, lags, settings, communicator)
+  return ChordSampler(own, modes, region, lags, settings, communicator)
     .Sample(chordLengths, progress);
 }
 
@@ -345,9 +358,8 @@ std::vector<SampledTwoPoint> SampleChordsAlong(const std::vector<Vector3>& direc
   const SpherePack& own, int modes, const SamplingRegion& region, const LagGrid& lags,
   const SamplingSettings& settings, Communicator& communicator, const SamplingProgress& progress)
 {
-  CheckSampling(settings, Lines, modes, lags, region);
-  const SphereGrid grid(own, region.GetBounds());
-  ChordSampler sampler(grid, modes, region, lags, settings, communicator);
+  CheckSampling(settings, LineNames, modes, lags, region);
+  ChordSampler sampler(own, modes, region, lags, settings, communicator);
   std::vector<SampledTwoPoint> results;
   for (const Vector3& direction : directions)
   {

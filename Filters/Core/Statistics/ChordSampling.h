@@ -4,7 +4,6 @@
 
 #include "Communicator.h"
 #include "Geometry/SamplingRegion.h"
-#include "Geometry/SphereGrid.h"
 #include "Geometry/SpherePack.h"
 #include "Statistics/ChordLengths.h"
 #include "Statistics/SampledSums.h"
@@ -15,9 +14,12 @@
 namespace ruc
 {
 /**
- * S_rs of spheres, overlapping or not, by isotropic uniform random lines through a region: a line
- * meets phases in intervals, and every pair of its points at any lag counts, exactly. A point in
- * several spheres belongs to the lowest mode, one in none to the matrix.
+ * S_rs of spheres, overlapping or not, by lines through a region: a line meets phases in intervals,
+ * and every pair of its points at any lag counts, exactly. A batch of lines is a square grid of
+ * parallel ones with an isotropic direction and a random shift (SamplingRegion::ParallelLines),
+ * which covers the region evenly; batches are independent of each other, and the standard errors
+ * are from their scatter. `Samples` lines are about so many. A point in several spheres belongs to
+ * the lowest mode, one in none to the matrix.
  *
  * `own` are the spheres of this rank, modes 1 to `modes`: any share of the pack, none included,
  * with periodic axes of the region wrapped (WrapIntoBox) and longer than the diameters. Spheres

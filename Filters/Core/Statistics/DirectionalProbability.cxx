@@ -25,7 +25,7 @@ constexpr std::size_t ChunkOfCentres = 64;
 // Directions are taken so many at a time that the sums of a thread stay below this, 24 MB
 constexpr std::size_t MostSums = 1 << 20;
 
-// The numbers of a direction for every lag, an array each for vector loops
+// Directions, an array for each component for vector loops
 struct Components
 {
   std::vector<double> X, Y, Z;

@@ -23,92 +23,129 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr double MostNumbers = 5e7; // of all images, 400 MB
-constexpr int Lanes = 8;            // voxels of a row taken together
+constexpr int Lanes = 8;            // numbers of a row taken together
 
 /** The half of a cubic grid that a map is made of, as slices k = 0…Half: of all of them but k = 0,
  * where rows j > 0 are the mirror images of those j < 0 and stay empty. */
 struct HalfGrid
 {
   int Half;
-  double Spacing;
 
   std::size_t Row() const { return 2 * static_cast<std::size_t>(this->Half) + 1; }
   std::size_t Slice() const { return this->Row() * this->Row(); }
 };
 
-/** The slices of a thread, every stride-th, of images that follow each other; and what a pair of
- * spheres adds to them: `multiple[m]` times its overlap. */
+/** The slices of a thread, every Stride-th, of images that follow each other. */
 struct Images
 {
   std::int64_t* Sums;
   int FirstSlice, Stride;
   std::size_t SizeOfImage;
-  std::vector<std::int64_t>& Buffer; // a row
 };
 
-// Adds factor x V(|d - x|) to the voxels x of a thread that are in the half grid
-RUC_VECTOR_CLONES
-void AddBall(const LensFormula& lens, const Vector3& d, double factor, const HalfGrid& grid,
-  const Images& images, const std::vector<std::int64_t>& multiple)
+/** The voxels of a ball, row after row, in buffers that are large enough for every ball. */
+struct Ball
 {
-  const double spacing = grid.Spacing, contact2 = lens.Contact * lens.Contact;
-  const double most = grid.Half;
-  const LensFormula volume = lens;
+  Ball(double contact, const HalfGrid& grid)
+  {
+    const double edge = std::min(2.0 * contact + 2.0, double(grid.Row()));
+    this->Rows.resize(static_cast<std::size_t>(edge * edge));
+    this->Squares.resize(static_cast<std::size_t>(edge * edge * edge) + Lanes);
+    this->Overlap.resize(this->Squares.size());
+  }
+
+  struct Row
+  {
+    std::size_t First; // voxel of an image
+    int Count;
+  };
+  std::size_t NumberOfRows = 0, Size = 0;
+  std::vector<Row> Rows;
+  std::vector<double> Squares; // of the distances from the centre
+  std::vector<std::int64_t> Overlap;
+};
+
+// Finds the voxels closer to d than `contact` in the slices of a thread. Lengths are in units of
+// the spacing.
+RUC_VECTOR_CLONES // for rounding without calls
+  void
+  FindBall(double contact, const Vector3& d, const HalfGrid& grid, const Images& images, Ball& ball)
+{
+  Ball::Row* row = ball.Rows.data();
+  double* squares = ball.Squares.data();
+  const double contact2 = contact * contact, most = grid.Half;
   // In double until it is known to be in the grid, or next to it
   const auto first = [&](double low, double least)
-  { return static_cast<int>(std::min(std::max(std::ceil(low / spacing), least), most + 1.0)); };
+  { return static_cast<int>(std::min(std::max(std::ceil(low), least), most + 1.0)); };
   const auto last = [&](double high)
-  { return static_cast<int>(std::max(std::min(std::floor(high / spacing), most), -most - 1.0)); };
-  const int lastSlice = last(d[2] + lens.Contact);
-  int k = first(d[2] - lens.Contact, 0.0);
+  { return static_cast<int>(std::max(std::min(std::floor(high), most), -most - 1.0)); };
+  const int lastSlice = last(d[2] + contact);
+  int k = first(d[2] - contact, 0.0);
   k += ((images.FirstSlice - k) % images.Stride + images.Stride) % images.Stride;
   for (; k <= lastSlice; k += images.Stride)
   {
-    const double z = d[2] - k * spacing;
-    const double slice2 = contact2 - z * z;
-    if (!(slice2 > 0.0))
-    {
-      continue;
-    }
-    const double sliceRadius = std::sqrt(slice2);
+    const double z2 = (d[2] - k) * (d[2] - k);
+    const double sliceRadius = std::sqrt(std::max(contact2 - z2, 0.0));
     const int lastRow = k > 0 ? last(d[1] + sliceRadius) : std::min(last(d[1] + sliceRadius), 0);
     for (int j = first(d[1] - sliceRadius, -most); j <= lastRow; ++j)
     {
-      const double y = d[1] - j * spacing;
-      const double across2 = y * y + z * z;
-      const double row2 = contact2 - across2;
-      if (!(row2 > 0.0))
+      const double across2 = (d[1] - j) * (d[1] - j) + z2;
+      const double chord = std::sqrt(std::max(contact2 - across2, 0.0));
+      const int begin = first(d[0] - chord, -most), end = last(d[0] + chord) + 1;
+      if (begin < end)
       {
-        continue;
-      }
-      const double chord = std::sqrt(row2);
-      const int begin = first(d[0] - chord, -most);
-      const int count = last(d[0] + chord) + 1 - begin;
-      if (count <= 0)
-      {
-        continue;
-      }
-      // Whole vectors at a time, as most rows are shorter than one
-      std::int64_t* overlap = images.Buffer.data();
-      for (int i = 0; i < count; i += Lanes)
-      {
-        for (int lane = 0; lane < Lanes; ++lane)
+        *row++ = { static_cast<std::size_t>(k / images.Stride) * grid.Slice() +
+            (j + grid.Half) * grid.Row() + (begin + grid.Half),
+          end - begin };
+        // Whole vectors at a time; the next row overwrites what is too much
+        for (int i = begin; i < end; i += Lanes)
         {
-          const double x = d[0] - (begin + i + lane) * spacing;
-          overlap[i + lane] = RoundToFixedPoint(factor * volume(std::sqrt(across2 + x * x)));
+          for (int lane = 0; lane < Lanes; ++lane)
+          {
+            const double x = d[0] - (i + lane);
+            squares[i - begin + lane] = across2 + x * x;
+          }
         }
+        squares += end - begin;
       }
-      std::int64_t* sums = images.Sums +
-        static_cast<std::size_t>(k / images.Stride) * grid.Slice() + (j + grid.Half) * grid.Row() +
-        (begin + grid.Half);
-      for (std::int64_t m : multiple)
+    }
+  }
+  ball.NumberOfRows = row - ball.Rows.data();
+  ball.Size = squares - ball.Squares.data();
+}
+
+// factor x V(sqrt(square)) as integers
+RUC_VECTOR_CLONES
+void FindOverlap(const LensFormula& lens, double factor, const double* squares, std::size_t count,
+  std::int64_t* overlap)
+{
+  const LensFormula volume = lens;
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    overlap[n] = RoundToFixedPoint(factor * volume(std::sqrt(squares[n])));
+  }
+}
+
+// Adds factor x V(|d - x|), `multiple[m]` times to image m, to the voxels x of a thread that are in
+// the half grid
+void AddBall(const LensFormula& lens, const Vector3& d, double factor, const HalfGrid& grid,
+  const Images& images, const std::vector<std::int64_t>& multiple, Ball& ball)
+{
+  FindBall(lens.Contact, d, grid, images, ball);
+  FindOverlap(lens, factor, ball.Squares.data(), ball.Size, ball.Overlap.data());
+  for (std::size_t image = 0; image < multiple.size(); ++image)
+  {
+    const std::int64_t m = multiple[image];
+    const std::int64_t* overlap = ball.Overlap.data();
+    for (std::size_t n = 0; m > 0 && n < ball.NumberOfRows; ++n)
+    {
+      const Ball::Row& row = ball.Rows[n];
+      std::int64_t* sums = images.Sums + image * images.SizeOfImage + row.First;
+      for (int i = 0; i < row.Count; ++i)
       {
-        for (int i = 0; m > 0 && i < count; ++i)
-        {
-          sums[i] += m * overlap[i];
-        }
-        sums += images.SizeOfImage;
+        sums[i] += m * overlap[i];
       }
+      overlap += row.Count;
     }
   }
 }
@@ -201,12 +238,12 @@ ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int
 {
   CheckMap(share, pairs, spacing, reach);
   const int modes = share.NumberOfModes();
-  const HalfGrid grid = { static_cast<int>(reach / spacing * (1.0 + 1e-12)), spacing };
+  const HalfGrid grid = { static_cast<int>(reach / spacing * (1.0 + 1e-12)) };
   const int slices = grid.Half + 1;
   const double cube = grid.Half * spacing, rim = 2.0 * share.LargestRadius;
   const WeightedPairs weighted(share, std::sqrt(3.0) * cube + rim, ranks, "ImageReach", cube, rim);
   const double unit = SphereVolume(share.LargestRadius);
-  const double scale = weighted.Scale / unit * (Pi / 12.0);
+  const double scale = weighted.Scale / unit * (Pi / 12.0) * spacing * spacing * spacing;
 
   // How often two modes, or a sphere with itself, count in every image
   std::vector<std::vector<std::int64_t>> multiples(modes * modes), selfMultiples(modes);
@@ -231,32 +268,34 @@ ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int
     const int ownSlices = first < slices ? (slices - 1 - first) / stride + 1 : 0;
     const std::size_t ownSize = ownSlices * grid.Slice();
     FixedPointSums own(ownSize * pairs.size());
-    std::vector<std::int64_t> row(grid.Row() + Lanes);
+    Ball ball(2.0 * share.LargestRadius / spacing, grid);
     const std::size_t centres = ownSlices > 0 ? weighted.Pairs.Size() : 0;
     for (std::size_t begin = 0; begin < centres; begin += weighted.Step)
     {
       const std::size_t end = std::min(begin + weighted.Step, centres);
-      const Images images = { own.Take(weighted.Terms), first, stride, ownSize, row };
+      const Images images = { own.Take(weighted.Terms), first, stride, ownSize };
       for (std::size_t place = begin; place < end; ++place)
       {
         const std::size_t i = weighted.Pairs.Own().Index[place];
-        AddBall(LensFormula(share.Own.Radius[i], share.Own.Radius[i]), { 0.0, 0.0, 0.0 }, scale,
-          grid, images, selfMultiples[share.Own.Mode[i] - 1]);
+        const double radius = share.Own.Radius[i] / spacing;
+        AddBall(LensFormula(radius, radius), { 0.0, 0.0, 0.0 }, scale, grid, images,
+          selfMultiples[share.Own.Mode[i] - 1], ball);
       }
       weighted.ForEach(begin, end,
         [&](std::size_t i, const PairNeighbourhood::Part& part, std::size_t j, const Vector3& d,
           double, double weight)
         {
-          const LensFormula lens(share.Own.Radius[i], part.Pack.Radius[j]);
+          const LensFormula lens(share.Own.Radius[i] / spacing, part.Pack.Radius[j] / spacing);
           const std::vector<std::int64_t>& multiple =
             multiples[(share.Own.Mode[i] - 1) * modes + part.Pack.Mode[j] - 1];
           const double factor = 0.5 * scale * weight;
           for (double sign : { 1.0, -1.0 })
           {
-            if (sign * d[2] + lens.Contact > 0.0)
+            const double x = sign / spacing;
+            const Vector3 lag = { x * d[0], x * d[1], x * d[2] };
+            if (lag[2] + lens.Contact > 0.0)
             {
-              AddBall(
-                lens, { sign * d[0], sign * d[1], sign * d[2] }, factor, grid, images, multiple);
+              AddBall(lens, lag, factor, grid, images, multiple, ball);
             }
           }
         });

@@ -16,7 +16,6 @@ namespace
 {
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double MostSamples = 2147483648.0;
-constexpr int BatchesOfFirstRound = 64;
 
 RUC_VECTOR_CLONES
 void AddFixedPoint(
@@ -270,26 +269,27 @@ void CheckSampling(const SamplingSettings& settings, const SampleNames& names, i
   }
 }
 
-int SamplesInBatch(const SamplingSettings& settings)
+int SamplesInBatch(const SamplingSettings& settings, int most)
 {
   return settings.TargetError > 0.0
-    ? 32
-    : static_cast<int>(std::clamp<std::int64_t>(settings.Samples / 64, 1, 32));
+    ? most
+    : static_cast<int>(
+        std::clamp<std::int64_t>((settings.Samples + FewestBatches - 1) / FewestBatches, 1, most));
 }
 
 SampledTwoPoint TakeSamples(const SamplingSettings& settings, const SampleNames& names,
-  int batchesAtOnce, SampledSums& sums, const std::vector<SampledRatios*>& others,
-  Communicator& communicator, const SamplingProgress& progress,
-  const std::function<void(const BatchRange&)>& take)
+  int samplesInBatch, int batchesAtOnce, SampledSums& sums,
+  const std::vector<SampledRatios*>& others, Communicator& communicator,
+  const SamplingProgress& progress, const std::function<void(const BatchRange&)>& take)
 {
   std::vector<SampledRatios*> tables = others;
   tables.push_back(&sums.GetRatios());
   const bool aimed = settings.TargetError > 0.0;
-  BatchRange range = { 0, 0, settings.Samples, SamplesInBatch(settings) };
+  BatchRange range = { 0, 0, settings.Samples, samplesInBatch };
   double expected = static_cast<double>(settings.Samples);
   if (aimed)
   {
-    range.Samples = BatchesOfFirstRound * range.SamplesInBatch;
+    range.Samples = std::int64_t(FewestBatches) * range.SamplesInBatch;
     expected = std::numeric_limits<double>::infinity();
   }
   for (;;)

@@ -136,8 +136,12 @@ struct SampleNames
 void CheckSampling(const SamplingSettings& settings, const SampleNames& names, int modes,
   const LagGrid& lags, const SamplingRegion& region);
 
-/** clamp(Samples / 64, 1, 32); 32 for a TargetError. */
-int SamplesInBatch(const SamplingSettings& settings);
+/** With a number of samples they are put into so many batches, or into more of the most a batch may
+ * hold; with a TargetError so many come first. */
+constexpr int FewestBatches = 64;
+
+/** The samples in a batch, at most `most`, which it is for a TargetError. */
+int SamplesInBatch(const SamplingSettings& settings, int most);
 
 /** Batches First to End - 1 and their samples; the last of all batches may be shorter. */
 struct BatchRange
@@ -162,7 +166,7 @@ struct BatchRange
  * without any pair of points.
  */
 SampledTwoPoint TakeSamples(const SamplingSettings& settings, const SampleNames& names,
-  int batchesAtOnce, SampledSums& sums, const std::vector<SampledRatios*>& others,
-  Communicator& communicator, const SamplingProgress& progress,
-  const std::function<void(const BatchRange&)>& take);
+  int samplesInBatch, int batchesAtOnce, SampledSums& sums,
+  const std::vector<SampledRatios*>& others, Communicator& communicator,
+  const SamplingProgress& progress, const std::function<void(const BatchRange&)>& take);
 }

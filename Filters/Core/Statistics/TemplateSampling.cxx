@@ -16,6 +16,7 @@ namespace
 constexpr SampleNames Throws = { "NumberOfThrows", "throws" };
 constexpr double Pi = 3.14159265358979323846;
 constexpr std::int32_t OutsideRegion = -1;
+constexpr int MostThrowsInBatch = 32;
 
 // The directions of the rays: a great circle across the throw's isotropic direction
 void FindRays(std::uint32_t seed, std::uint32_t sample, std::array<Vector3, NumberOfRays>& rays)
@@ -53,7 +54,7 @@ SampledTwoPoint SampleTemplate(const SpherePack& own, int modes, const SamplingR
 {
   CheckSampling(settings, Throws, modes, lags, region);
   const SphereGrid grid(own, region.GetBounds());
-  const int throwsInBatch = SamplesInBatch(settings);
+  const int throwsInBatch = SamplesInBatch(settings, MostThrowsInBatch);
   const int size = communicator.Size(), phases = modes + 1;
   SampledSums sums(modes, lags, static_cast<double>(throwsInBatch) * NumberOfRays);
 
@@ -146,6 +147,7 @@ SampledTwoPoint SampleTemplate(const SpherePack& own, int modes, const SamplingR
   // About 10 MB of points
   const double batchBytes = 4.0 * static_cast<double>(points) * throwsInBatch;
   const int batchesAtOnce = std::max({ static_cast<int>(1e7 / batchBytes), 2 * size, 1 });
-  return TakeSamples(settings, Throws, batchesAtOnce, sums, {}, communicator, progress, take);
+  return TakeSamples(
+    settings, Throws, throwsInBatch, batchesAtOnce, sums, {}, communicator, progress, take);
 }
 }

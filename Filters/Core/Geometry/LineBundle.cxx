@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Geometry/LineBundle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ruc
+{
+namespace
+{
+double Dot(const Vector3& a, const Vector3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector3 Cross(const Vector3& a, const Vector3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+// The vector with product 1 with a, 0 with b and c
+Vector3 Dual(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const Vector3 across = Cross(b, c);
+  const double product = Dot(a, across);
+  return { across[0] / product, across[1] / product, across[2] / product };
+}
+
+double Length(const Vector3& v)
+{
+  return std::sqrt(Dot(v, v));
+}
+
+// Whole numbers from and to, so that rounding of the middle loses none
+struct Range
+{
+  Range(double middle, double width)
+    : First(static_cast<int>(std::ceil(middle - width * (1.0 + 1e-9) - 1e-9)))
+    , Last(static_cast<int>(std::floor(middle + width * (1.0 + 1e-9) + 1e-9)))
+  {
+  }
+  int First, Last;
+};
+
+int FloorDivided(int a, int b)
+{
+  return a >= 0 ? a / b : -((-a + b - 1) / b);
+}
+}
+
+LineBundle::LineBundle(const Window& box, const Vector3& direction, const Vector3& origin,
+  const Vector3& axisI, const Vector3& axisJ, const std::array<int, 2>& first,
+  const std::array<int, 2>& count)
+  : Direction(direction)
+  , Box(box)
+  , Origin(origin)
+  , AxisI(axisI)
+  , AxisJ(axisJ)
+  , First(first)
+  , Count(count)
+  , LineAt(static_cast<std::size_t>(count[0]) * count[1], -1)
+  , DualI(Dual(axisI, axisJ, direction))
+  , DualJ(Dual(axisJ, direction, axisI))
+  , DualT(Dual(direction, axisI, axisJ))
+  , WidthI(Length(this->DualI))
+  , WidthJ(Length(this->DualJ))
+  , WidthT(Length(this->DualT))
+{
+}
+
+Vector3 LineBundle::StartOf(int i, int j) const
+{
+  Vector3 start;
+  for (int q = 0; q < 3; ++q)
+  {
+    start[q] = this->Origin[q] + i * this->AxisI[q] + j * this->AxisJ[q];
+  }
+  return start;
+}
+
+void LineBundle::AddLine(int i, int j, std::vector<LineInterval> inside)
+{
+  this->LineAt[static_cast<std::size_t>(i - this->First[0]) * this->Count[1] + j - this->First[1]] =
+    static_cast<int>(this->Lines.size());
+  this->Longest = std::max(this->Longest, inside.back().End);
+  this->Lines.push_back({ this->StartOf(i, j), std::move(inside) });
+}
+
+void LineBundle::FindHits(const SpherePack& pack, std::vector<std::vector<SphereHit>>& hits) const
+{
+  for (std::size_t n = 0; n < pack.Size(); ++n)
+  {
+    if (!this->Box.IsFullyPeriodic())
+    {
+      // Lines stay in the box: an edge exceeds the diameter, so only the next images reach in
+      const int last[3] = { this->Box.Periodic[0], this->Box.Periodic[1], this->Box.Periodic[2] };
+      for (int x = -last[0]; x <= last[0]; ++x)
+      {
+        for (int y = -last[1]; y <= last[1]; ++y)
+        {
+          for (int z = -last[2]; z <= last[2]; ++z)
+          {
+            this->FindHitsOf(pack, n, { x, y, z }, hits);
+          }
+        }
+      }
+      continue;
+    }
+    // Images along the axis that the lattice does not span, as far as the lines go. The place along
+    // a line where it is nearest to a centre no further away than the radius differs from the
+    // centre's own by WidthT x radius at most.
+    int across = 0;
+    for (int q = 1; q < 3; ++q)
+    {
+      across = std::abs(this->DualT[q]) > std::abs(this->DualT[across]) ? q : across;
+    }
+    const Vector3 p = { pack.X[n] - this->Origin[0], pack.Y[n] - this->Origin[1],
+      pack.Z[n] - this->Origin[2] };
+    const double step = this->DualT[across] * this->Box.Size[across];
+    const double t = Dot(this->DualT, p);
+    const double slack = pack.Radius[n] * (1.0 + this->WidthT);
+    const Range images(
+      (0.5 * this->Longest - t) / step, (0.5 * this->Longest + slack) / std::abs(step));
+    for (int m = images.First; m <= images.Last; ++m)
+    {
+      std::array<int, 3> image = { 0, 0, 0 };
+      image[across] = m;
+      this->FindHitsOf(pack, n, image, hits);
+    }
+  }
+}
+
+void LineBundle::FindHitsOf(const SpherePack& pack, std::size_t sphere,
+  const std::array<int, 3>& image, std::vector<std::vector<SphereHit>>& hits) const
+{
+  const bool closed = this->Box.IsFullyPeriodic();
+  const Vector3& size = this->Box.Size;
+  const Vector3& d = this->Direction;
+  const double radius = pack.Radius[sphere];
+  const Vector3 centre = pack.Centre(sphere);
+  const Vector3 p = { centre[0] + image[0] * size[0] - this->Origin[0],
+    centre[1] + image[1] * size[1] - this->Origin[1],
+    centre[2] + image[2] * size[2] - this->Origin[2] };
+  Range rows(Dot(this->DualI, p), radius * this->WidthI);
+  Range columns(Dot(this->DualJ, p), radius * this->WidthJ);
+  if (!closed)
+  {
+    rows.First = std::max(rows.First, this->First[0]);
+    rows.Last = std::min(rows.Last, this->First[0] + this->Count[0] - 1);
+    columns.First = std::max(columns.First, this->First[1]);
+    columns.Last = std::min(columns.Last, this->First[1] + this->Count[1] - 1);
+  }
+  for (int i = rows.First; i <= rows.Last; ++i)
+  {
+    for (int j = columns.First; j <= columns.Last; ++j)
+    {
+      // A place beyond the closed lattice is one in it, met by another image
+      const int overI = closed ? FloorDivided(i, this->Count[0]) : 0;
+      const int overJ = closed ? FloorDivided(j, this->Count[1]) : 0;
+      const int row = i - overI * this->Count[0] - this->First[0];
+      const int column = j - overJ * this->Count[1] - this->First[1];
+      const int n = this->LineAt[static_cast<std::size_t>(row) * this->Count[1] + column];
+      if (n < 0)
+      {
+        continue;
+      }
+      const SampleLine& line = this->Lines[n];
+      Vector3 from;
+      for (int q = 0; q < 3; ++q)
+      {
+        const int edges =
+          image[q] - (this->AxisI[q] != 0.0 ? overI : 0) - (this->AxisJ[q] != 0.0 ? overJ : 0);
+        from[q] = centre[q] + (closed ? edges : image[q]) * size[q] - line.Start[q];
+      }
+      const double middle = Dot(from, d);
+      const double x = from[0] - middle * d[0], y = from[1] - middle * d[1],
+                   z = from[2] - middle * d[2];
+      const double half2 = radius * radius - (x * x + y * y + z * z);
+      if (half2 > 0.0)
+      {
+        const double half = std::sqrt(half2);
+        const double in = middle - half, out = middle + half;
+        if (out > line.Inside.front().Begin && in < line.Inside.back().End)
+        {
+          hits[n].push_back({ in, out, pack.Mode[sphere] - 1 });
+        }
+      }
+    }
+  }
+}
+}
