@@ -61,22 +61,6 @@ void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::
   output->GetPointData()->AddArray(mode);
 }
 
-// Of the spheres on all ranks, all that the modes depend on
-std::vector<double> AllDiameters(const ruc::SpherePack& piece, RankCommunicator& ranks)
-{
-  std::vector<double> own, all;
-  for (double radius : piece.Radius)
-  {
-    own.push_back(2.0 * radius);
-  }
-  for (const std::vector<double>& diameters :
-    ranks.Exchange(std::vector<std::vector<double>>(ranks.Size(), own)))
-  {
-    all.insert(all.end(), diameters.begin(), diameters.end());
-  }
-  return all;
-}
-
 void FillTable(const ruc::ParticleModes& modes, double volume, vtkTable* table)
 {
   std::vector<long long> number, count;
@@ -142,7 +126,10 @@ void vtkRUCParticleModes::Execute(
   settings.NumberOfModes = this->NumberOfModes;
   settings.Edges = this->Method == EXPLICIT_EDGES ? this->Edges : std::vector<double>{};
   settings.MinimumDiameter = this->MinimumDiameter;
-  const ruc::ParticleModes modes(AllDiameters(pack.Piece, ranks), settings);
+  std::vector<double> diameters(pack.Piece.Size());
+  std::transform(pack.Piece.Radius.begin(), pack.Piece.Radius.end(), diameters.begin(),
+    [](double r) { return 2.0 * r; });
+  const ruc::ParticleModes modes(std::move(diameters), settings, ranks);
 
   const int wanted = this->Method == ONE_PER_SIZE ? modes.NumberOfModes()
     : this->Method == EXPLICIT_EDGES              ? this->GetNumberOfEdges() - 1

@@ -3,6 +3,7 @@
 #include "Statistics/ParticleModes.h"
 
 #include "Oracles.h"
+#include "ThreadRanks.h"
 
 namespace
 {
@@ -188,4 +189,51 @@ TEST(ParticleModes, BadSettings)
     "got diameters from 1 to 2");
   EXPECT_SAYS(ParticleModes(some, Settings(ModeMethod::ExplicitEdges, 9, { 0.5, 1.5 })),
     "got diameters from 1 to 2");
+}
+
+TEST(ParticleModes, AreTheSameForAnySharing)
+{
+  oracle::Uniform random(9);
+  std::vector<double> diameters;
+  for (int i = 0; i < 500; ++i)
+  {
+    diameters.push_back(0.1 * std::floor(random(10.0, 80.0)) * (1.0 + 1e-12 * random()));
+  }
+  for (const ModeSettings& settings :
+    { Settings(ModeMethod::EqualWidth, 9), Settings(ModeMethod::EqualVolume, 7),
+      Settings(ModeMethod::ExplicitEdges, 9, { 0.5, 2.0, 3.3, 9.0 }),
+      Settings(ModeMethod::OnePerSize, 1), Settings(ModeMethod::EqualWidth, 9, {}, 3.0) })
+  {
+    const ParticleModes whole(diameters, settings);
+    for (int size : { 2, 5 })
+    {
+      oracle::ThreadRanks::Run(size,
+        [&](ruc::Communicator& ranks)
+        {
+          std::vector<double> own; // the last rank has none
+          for (std::size_t i = 0; i < diameters.size(); ++i)
+          {
+            if (static_cast<int>(i) % (size - 1) == ranks.Rank())
+            {
+              own.push_back(diameters[i]);
+            }
+          }
+          const ParticleModes shared(own, settings, ranks);
+          ASSERT_EQ(shared.NumberOfModes(), whole.NumberOfModes());
+          for (int m = 1; m <= whole.NumberOfModes(); ++m)
+          {
+            const ruc::ModeSummary &a = shared.Summary(m), &b = whole.Summary(m);
+            EXPECT_EQ(a.Count, b.Count);
+            EXPECT_EQ(a.MinimumDiameter, b.MinimumDiameter);
+            EXPECT_EQ(a.MaximumDiameter, b.MaximumDiameter);
+            EXPECT_EQ(a.VolumeMeanDiameter, b.VolumeMeanDiameter);
+            EXPECT_EQ(a.Volume, b.Volume);
+          }
+          for (double d : diameters)
+          {
+            EXPECT_EQ(shared.ModeOf(d), whole.ModeOf(d));
+          }
+        });
+    }
+  }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/ParticleModes.h"
 
+#include "FixedPoint.h"
 #include "Geometry/SphereOverlap.h"
 #include "Text.h"
 
@@ -16,21 +17,46 @@ namespace
 // Diameters closer than this, relatively, are one size
 constexpr double SameSize = 1e-9;
 
+// Of all ranks: the least and greatest diameter
+struct Extremes
+{
+  double Least, Greatest;
+};
+
+Extremes FindExtremes(const std::vector<double>& diameters, Communicator& ranks)
+{
+  double values[2] = { INFINITY, INFINITY };
+  for (double d : diameters)
+  {
+    values[0] = std::min(values[0], d);
+    values[1] = std::min(values[1], -d);
+  }
+  ranks.Minimum(values, 2);
+  return { values[0], -values[1] };
+}
+
 // The functions below return where the modes 2, 3, … begin; `diameters` ascend.
 
-std::vector<double> EqualWidthEdges(const std::vector<double>& diameters, int modes)
+std::vector<double> EqualWidthEdges(const Extremes& all, int modes)
 {
   std::vector<double> edges;
-  const double width = (diameters.back() - diameters.front()) / modes;
+  const double width = (all.Greatest - all.Least) / modes;
   for (int m = 1; m < modes; ++m)
   {
-    edges.push_back(diameters.front() + m * width);
+    edges.push_back(all.Least + m * width);
   }
   return edges;
 }
 
-std::vector<double> EqualVolumeEdges(const std::vector<double>& diameters, int modes)
+std::vector<double> EqualVolumeEdges(const std::vector<double>& own, int modes, Communicator& ranks)
 {
+  std::vector<double> diameters;
+  for (const std::vector<double>& of :
+    ranks.Exchange(std::vector<std::vector<double>>(ranks.Size(), own)))
+  {
+    diameters.insert(diameters.end(), of.begin(), of.end());
+  }
+  std::sort(diameters.begin(), diameters.end());
   double total = 0.0;
   for (double d : diameters)
   {
@@ -52,8 +78,7 @@ std::vector<double> EqualVolumeEdges(const std::vector<double>& diameters, int m
   return edges;
 }
 
-std::vector<double> GivenEdges(
-  const std::vector<double>& diameters, const std::vector<double>& edges)
+std::vector<double> GivenEdges(const Extremes& all, const std::vector<double>& edges)
 {
   // written so that an edge that is no number fails
   const bool ascending = std::adjacent_find(edges.begin(), edges.end(),
@@ -69,37 +94,46 @@ std::vector<double> GivenEdges(
       Text("Edges requires two or more ascending finite diameters >= 0, got ",
         got.empty() ? "none" : got, "."));
   }
-  if (diameters.front() < edges.front() || diameters.back() > edges.back())
+  if (all.Least < edges.front() || all.Greatest > edges.back())
   {
     throw std::invalid_argument(Text("Edges requires every diameter between its first and last, ",
-      edges.front(), " and ", edges.back(), ", got diameters from ", diameters.front(), " to ",
-      diameters.back(), " (MinimumDiameter leaves small spheres out)."));
+      edges.front(), " and ", edges.back(), ", got diameters from ", all.Least, " to ",
+      all.Greatest, " (MinimumDiameter leaves small spheres out)."));
   }
   return { edges.begin() + 1, edges.end() - 1 };
 }
 
-std::vector<double> SizeEdges(const std::vector<double>& diameters)
+std::vector<double> SizeEdges(
+  const std::vector<double>& diameters, const Extremes& all, Communicator& ranks)
 {
   std::vector<double> edges;
-  double size = diameters.front();
-  for (double d : diameters)
+  for (double size = all.Least;;)
   {
-    if (d > size * (1.0 + SameSize))
+    const auto next = std::upper_bound(diameters.begin(), diameters.end(), size * (1.0 + SameSize));
+    size = next == diameters.end() ? INFINITY : *next;
+    ranks.Minimum(&size, 1);
+    if (size == INFINITY)
     {
-      edges.push_back(d);
-      size = d;
+      return edges;
     }
+    edges.push_back(size);
     if (edges.size() >= static_cast<std::size_t>(MostModes))
     {
       throw std::invalid_argument(Text(
         "Method 'One Per Size' requires at most ", MostModes, " distinct diameters, got more."));
     }
   }
-  return edges;
 }
 }
 
 ParticleModes::ParticleModes(std::vector<double> diameters, const ModeSettings& settings)
+{
+  Communicator serial;
+  *this = ParticleModes(std::move(diameters), settings, serial);
+}
+
+ParticleModes::ParticleModes(
+  std::vector<double> diameters, const ModeSettings& settings, Communicator& ranks)
   : MinimumDiameter(settings.MinimumDiameter)
 {
   if (!(settings.MinimumDiameter >= 0.0 && std::isfinite(settings.MinimumDiameter)))
@@ -119,12 +153,12 @@ ParticleModes::ParticleModes(std::vector<double> diameters, const ModeSettings& 
     throw std::invalid_argument(Text(
       "Edges requires at most ", MostModes + 1, " diameters, got ", settings.Edges.size(), "."));
   }
-  const double largest =
-    diameters.empty() ? 0.0 : *std::max_element(diameters.begin(), diameters.end());
+  const double largest = std::max(FindExtremes(diameters, ranks).Greatest, 0.0);
   diameters.erase(std::remove_if(diameters.begin(), diameters.end(),
                     [&](double d) { return d < this->MinimumDiameter; }),
     diameters.end());
-  if (diameters.empty())
+  const Extremes all = FindExtremes(diameters, ranks);
+  if (!(all.Least <= all.Greatest))
   {
     throw std::invalid_argument(
       Text("MinimumDiameter requires a value that leaves at least one sphere, got ",
@@ -132,36 +166,55 @@ ParticleModes::ParticleModes(std::vector<double> diameters, const ModeSettings& 
   }
   std::sort(diameters.begin(), diameters.end());
   std::vector<double> edges = settings.Method == ModeMethod::EqualWidth
-    ? EqualWidthEdges(diameters, settings.NumberOfModes)
+    ? EqualWidthEdges(all, settings.NumberOfModes)
     : settings.Method == ModeMethod::EqualVolume
-    ? EqualVolumeEdges(diameters, settings.NumberOfModes)
-    : settings.Method == ModeMethod::ExplicitEdges ? GivenEdges(diameters, settings.Edges)
-                                                   : SizeEdges(diameters);
+    ? EqualVolumeEdges(diameters, settings.NumberOfModes, ranks)
+    : settings.Method == ModeMethod::ExplicitEdges ? GivenEdges(all, settings.Edges)
+                                                   : SizeEdges(diameters, all, ranks);
   edges.push_back(INFINITY);
+
+  // Of every mode: count, and sum of d^3 in units of the greatest in fixed point; the least and
+  // minus the greatest diameter
+  constexpr double scale = 0x1p50;
+  std::vector<std::int64_t> sums(3 * edges.size(), 0);
+  std::vector<double> extremes(2 * edges.size(), INFINITY);
   auto begin = diameters.begin();
-  for (double edge : edges)
+  for (std::size_t m = 0; m < edges.size(); ++m)
   {
-    const auto end = std::lower_bound(begin, diameters.end(), edge);
-    if (begin == end)
+    const auto end = std::lower_bound(begin, diameters.end(), edges[m]);
+    sums[3 * m] = end - begin;
+    for (auto d = begin; d != end; ++d)
+    {
+      const double ratio = *d / all.Greatest;
+      AddWide(RoundToFixedPoint(scale * ratio * ratio * ratio), &sums[3 * m + 1]);
+    }
+    if (begin != end)
+    {
+      extremes[2 * m] = *begin;
+      extremes[2 * m + 1] = -*(end - 1);
+    }
+    begin = end;
+  }
+  ranks.Sum(sums.data(), sums.size());
+  ranks.Minimum(extremes.data(), extremes.size());
+  for (std::size_t m = 0; m < edges.size(); ++m)
+  {
+    if (sums[3 * m] == 0)
     {
       continue; // an empty mode
     }
-    if (!this->Summaries.empty())
-    {
-      this->LowerEdges.push_back(*begin);
-    }
     ModeSummary summary;
-    summary.Count = end - begin;
-    summary.MinimumDiameter = *begin;
-    summary.MaximumDiameter = *(end - 1);
-    for (auto d = begin; d != end; ++d)
-    {
-      summary.Volume += SphereVolume(0.5 * *d);
-    }
+    summary.Count = static_cast<std::size_t>(sums[3 * m]);
+    summary.MinimumDiameter = extremes[2 * m];
+    summary.MaximumDiameter = -extremes[2 * m + 1];
+    summary.Volume = SphereVolume(0.5 * all.Greatest) * (WideValue(&sums[3 * m + 1]) / scale);
     summary.VolumeMeanDiameter =
       2.0 * std::cbrt(summary.Volume / summary.Count / SphereVolume(1.0));
+    if (!this->Summaries.empty())
+    {
+      this->LowerEdges.push_back(summary.MinimumDiameter);
+    }
     this->Summaries.push_back(summary);
-    begin = end;
   }
 }
 

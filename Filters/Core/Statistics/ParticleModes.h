@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Communicator.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -41,10 +43,14 @@ class ParticleModes
 {
 public:
   /**
-   * Finds the modes of the pack with these diameters. Modes that would be empty are left out and
-   * the others numbered through. Throws std::invalid_argument for settings out of range and for
-   * diameters that the explicit edges leave out.
+   * Collective: finds the modes of a pack with these diameters, of which every rank has some or
+   * none. Modes that would be empty are left out and the others numbered through. The same on every
+   * rank, bit by bit, for any sharing; of single spheres a rank learns nothing, save for
+   * EqualVolume, which takes the diameters of all on every rank. Throws std::invalid_argument, on
+   * all ranks, for settings out of range and for diameters that the explicit edges leave out.
    */
+  ParticleModes(std::vector<double> diameters, const ModeSettings& settings, Communicator& ranks);
+  /** For one rank that has all. */
   ParticleModes(std::vector<double> diameters, const ModeSettings& settings);
 
   int NumberOfModes() const { return static_cast<int>(this->Summaries.size()); }

@@ -172,7 +172,7 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
   const int matrix = share.NumberOfModes();
   if (pairs.empty())
   {
-    throw std::invalid_argument("Pairs requires at least one pair of phases, got none.");
+    throw std::invalid_argument("ImagePairs requires at least one pair of phases, got none.");
   }
   for (const std::array<int, 2>& pair : pairs)
   {
@@ -181,7 +181,7 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
       if (phase < 0 || phase > matrix)
       {
         throw std::invalid_argument(
-          Text("Pairs requires phases from 0 to ", matrix, " (the matrix), got ", phase, "."));
+          Text("ImagePairs requires phases from 0 to ", matrix, " (the matrix), got ", phase, "."));
       }
     }
   }
@@ -199,16 +199,16 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
   }
   if (!(reach > 0.0 && reach <= largest * (1.0 + 1e-12)))
   {
-    throw std::invalid_argument(Text("ImageReach requires 0 < ImageReach <= ", largest,
-      " for this ", share.Observed.Describe(), " and spheres of up to ", 2.0 * share.LargestRadius,
-      " diameter, got ", reach, "."));
+    throw std::invalid_argument(Text("ImageSpacing x ImageResolution requires a length > 0 and <= ",
+      largest, " for this ", share.Observed.Describe(), " and spheres of up to ",
+      2.0 * share.LargestRadius, " diameter, got ", reach, "."));
   }
-  const double edge = std::cbrt(MostNumbers / pairs.size());
-  if (2.0 * std::floor(reach / spacing * (1.0 + 1e-12)) + 1.0 > edge)
+  const double most = std::floor(0.5 * (std::cbrt(MostNumbers / pairs.size()) - 1.0));
+  const double half = std::floor(reach / spacing * (1.0 + 1e-12));
+  if (half > most)
   {
-    throw std::invalid_argument(
-      Text("ImageSpacing requires at least ", 2.0 * reach / (edge - 1.0), " for an ImageReach of ",
-        reach, " and ", pairs.size(), " pairs of phases, got ", spacing, "."));
+    throw std::invalid_argument(Text("ImageResolution requires at most ", most, " for ",
+      pairs.size(), " pairs of phases, got ", half, "."));
   }
 }
 }
@@ -241,7 +241,8 @@ ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int
   const HalfGrid grid = { static_cast<int>(reach / spacing * (1.0 + 1e-12)) };
   const int slices = grid.Half + 1;
   const double cube = grid.Half * spacing, rim = 2.0 * share.LargestRadius;
-  const WeightedPairs weighted(share, std::sqrt(3.0) * cube + rim, ranks, "ImageReach", cube, rim);
+  const WeightedPairs weighted(
+    share, std::sqrt(3.0) * cube + rim, ranks, "ImageSpacing x ImageResolution", cube, rim);
   const double unit = SphereVolume(share.LargestRadius);
   const double scale = weighted.Scale / unit * (Pi / 12.0) * spacing * spacing * spacing;
 
