@@ -32,18 +32,23 @@ double Length(const Vector3& v)
   return std::sqrt(Dot(v, v));
 }
 
-// Whole numbers from and to, so that rounding of the middle loses none
+// Whole numbers from and to, so that rounding of the middle loses none. (std::ceil and std::floor
+// are calls where the processor is not known to have instructions for them.)
 struct Range
 {
   Range(double middle, double width)
-    : First(static_cast<int>(std::ceil(middle - width * (1.0 + 1e-9) - 1e-9)))
-    , Last(static_cast<int>(std::floor(middle + width * (1.0 + 1e-9) + 1e-9)))
   {
+    const double slack = width * 1e-9 + 1e-9;
+    const double low = middle - width - slack, high = middle + width + slack;
+    this->First = static_cast<std::int64_t>(low);
+    this->First += static_cast<double>(this->First) < low;
+    this->Last = static_cast<std::int64_t>(high);
+    this->Last -= static_cast<double>(this->Last) > high;
   }
-  int First, Last;
+  std::int64_t First, Last;
 };
 
-int FloorDivided(int a, int b)
+std::int64_t FloorDivided(std::int64_t a, std::int64_t b)
 {
   return a >= 0 ? a / b : -((-a + b - 1) / b);
 }
@@ -54,6 +59,7 @@ LineBundle::LineBundle(const Window& box, const Vector3& direction, const Vector
   const std::array<int, 2>& count)
   : Direction(direction)
   , Box(box)
+  , Closed(box.IsFullyPeriodic())
   , Origin(origin)
   , AxisI(axisI)
   , AxisJ(axisJ)
@@ -67,6 +73,11 @@ LineBundle::LineBundle(const Window& box, const Vector3& direction, const Vector
   , WidthJ(Length(this->DualJ))
   , WidthT(Length(this->DualT))
 {
+  for (int q = 0; q < 3; ++q)
+  {
+    this->SpannedByI[q] = axisI[q] != 0.0;
+    this->SpannedByJ[q] = axisJ[q] != 0.0;
+  }
 }
 
 Vector3 LineBundle::StartOf(int i, int j) const
@@ -89,43 +100,46 @@ void LineBundle::AddLine(int i, int j, std::vector<LineInterval> inside)
 
 void LineBundle::FindHits(const SpherePack& pack, std::vector<std::vector<SphereHit>>& hits) const
 {
-  for (std::size_t n = 0; n < pack.Size(); ++n)
+  if (!this->Closed)
   {
-    if (!this->Box.IsFullyPeriodic())
+    // Lines stay in the box: an edge exceeds the diameter, so only the next images reach in
+    const int lastX = this->Box.Periodic[0], lastY = this->Box.Periodic[1],
+              lastZ = this->Box.Periodic[2];
+    for (int x = -lastX; x <= lastX; ++x)
     {
-      // Lines stay in the box: an edge exceeds the diameter, so only the next images reach in
-      const int last[3] = { this->Box.Periodic[0], this->Box.Periodic[1], this->Box.Periodic[2] };
-      for (int x = -last[0]; x <= last[0]; ++x)
+      for (int y = -lastY; y <= lastY; ++y)
       {
-        for (int y = -last[1]; y <= last[1]; ++y)
+        for (int z = -lastZ; z <= lastZ; ++z)
         {
-          for (int z = -last[2]; z <= last[2]; ++z)
+          for (std::size_t n = 0; n < pack.Size(); ++n)
           {
             this->FindHitsOf(pack, n, { x, y, z }, hits);
           }
         }
       }
-      continue;
     }
-    // Images along the axis that the lattice does not span, as far as the lines go. The place along
-    // a line where it is nearest to a centre no further away than the radius differs from the
-    // centre's own by WidthT x radius at most.
-    int across = 0;
-    for (int q = 1; q < 3; ++q)
-    {
-      across = std::abs(this->DualT[q]) > std::abs(this->DualT[across]) ? q : across;
-    }
-    const Vector3 p = { pack.X[n] - this->Origin[0], pack.Y[n] - this->Origin[1],
-      pack.Z[n] - this->Origin[2] };
-    const double step = this->DualT[across] * this->Box.Size[across];
-    const double t = Dot(this->DualT, p);
+    return;
+  }
+  // Images along the axis that the lattice does not span, as far as the lines go. The place along a
+  // line where it is nearest to a centre no further away than the radius differs from the centre's
+  // own by WidthT x radius at most.
+  int across = 0;
+  for (int q = 1; q < 3; ++q)
+  {
+    across = std::abs(this->DualT[q]) > std::abs(this->DualT[across]) ? q : across;
+  }
+  const double step = this->DualT[across] * this->Box.Size[across];
+  for (std::size_t n = 0; n < pack.Size(); ++n)
+  {
+    const double t = Dot(this->DualT,
+      { pack.X[n] - this->Origin[0], pack.Y[n] - this->Origin[1], pack.Z[n] - this->Origin[2] });
     const double slack = pack.Radius[n] * (1.0 + this->WidthT);
     const Range images(
       (0.5 * this->Longest - t) / step, (0.5 * this->Longest + slack) / std::abs(step));
-    for (int m = images.First; m <= images.Last; ++m)
+    for (std::int64_t m = images.First; m <= images.Last; ++m)
     {
       std::array<int, 3> image = { 0, 0, 0 };
-      image[across] = m;
+      image[across] = static_cast<int>(m);
       this->FindHitsOf(pack, n, image, hits);
     }
   }
@@ -134,33 +148,28 @@ void LineBundle::FindHits(const SpherePack& pack, std::vector<std::vector<Sphere
 void LineBundle::FindHitsOf(const SpherePack& pack, std::size_t sphere,
   const std::array<int, 3>& image, std::vector<std::vector<SphereHit>>& hits) const
 {
-  const bool closed = this->Box.IsFullyPeriodic();
   const Vector3& size = this->Box.Size;
-  const Vector3& d = this->Direction;
   const double radius = pack.Radius[sphere];
   const Vector3 centre = pack.Centre(sphere);
   const Vector3 p = { centre[0] + image[0] * size[0] - this->Origin[0],
     centre[1] + image[1] * size[1] - this->Origin[1],
     centre[2] + image[2] * size[2] - this->Origin[2] };
-  Range rows(Dot(this->DualI, p), radius * this->WidthI);
-  Range columns(Dot(this->DualJ, p), radius * this->WidthJ);
-  if (!closed)
+  const Range rows(Dot(this->DualI, p), radius * this->WidthI);
+  const Range columns(Dot(this->DualJ, p), radius * this->WidthJ);
+  for (std::int64_t i = rows.First; i <= rows.Last; ++i)
   {
-    rows.First = std::max(rows.First, this->First[0]);
-    rows.Last = std::min(rows.Last, this->First[0] + this->Count[0] - 1);
-    columns.First = std::max(columns.First, this->First[1]);
-    columns.Last = std::min(columns.Last, this->First[1] + this->Count[1] - 1);
-  }
-  for (int i = rows.First; i <= rows.Last; ++i)
-  {
-    for (int j = columns.First; j <= columns.Last; ++j)
+    for (std::int64_t j = columns.First; j <= columns.Last; ++j)
     {
-      // A place beyond the closed lattice is one in it, met by another image
-      const int overI = closed ? FloorDivided(i, this->Count[0]) : 0;
-      const int overJ = closed ? FloorDivided(j, this->Count[1]) : 0;
-      const int row = i - overI * this->Count[0] - this->First[0];
-      const int column = j - overJ * this->Count[1] - this->First[1];
-      const int n = this->LineAt[static_cast<std::size_t>(row) * this->Count[1] + column];
+      // A place beyond a closed lattice is one in it, met by another image
+      const std::int64_t overI = this->Closed ? FloorDivided(i, this->Count[0]) : 0;
+      const std::int64_t overJ = this->Closed ? FloorDivided(j, this->Count[1]) : 0;
+      const std::int64_t row = i - overI * this->Count[0] - this->First[0];
+      const std::int64_t column = j - overJ * this->Count[1] - this->First[1];
+      if (row < 0 || row >= this->Count[0] || column < 0 || column >= this->Count[1])
+      {
+        continue;
+      }
+      const int n = this->LineAt[row * this->Count[1] + column];
       if (n < 0)
       {
         continue;
@@ -169,10 +178,11 @@ void LineBundle::FindHitsOf(const SpherePack& pack, std::size_t sphere,
       Vector3 from;
       for (int q = 0; q < 3; ++q)
       {
-        const int edges =
-          image[q] - (this->AxisI[q] != 0.0 ? overI : 0) - (this->AxisJ[q] != 0.0 ? overJ : 0);
-        from[q] = centre[q] + (closed ? edges : image[q]) * size[q] - line.Start[q];
+        const std::int64_t edges =
+          image[q] - overI * this->SpannedByI[q] - overJ * this->SpannedByJ[q];
+        from[q] = centre[q] + edges * size[q] - line.Start[q];
       }
+      const Vector3& d = this->Direction;
       const double middle = Dot(from, d);
       const double x = from[0] - middle * d[0], y = from[1] - middle * d[1],
                    z = from[2] - middle * d[2];

@@ -61,9 +61,12 @@ private:
     std::vector<std::vector<SphereHit>>& hits) const;
 
   Window Box;
+  bool Closed; // the lattice over the edges of the box
   Vector3 Origin, AxisI, AxisJ;
   std::array<int, 2> First, Count;
   std::vector<int> LineAt; // by place; -1 for none
+  // Of a closed lattice the axis along which each of its own axes lies: 1 there, else 0
+  std::array<int, 3> SpannedByI, SpannedByJ;
   // Position = Origin + (DualI . p) AxisI + (DualJ . p) AxisJ + (DualT . p) Direction
   Vector3 DualI, DualJ, DualT;
   double WidthI, WidthJ, WidthT; // lengths of the duals
