@@ -164,8 +164,15 @@ ruc::Window BoundsOfCentres(const ruc::SpherePack& piece, RankCommunicator& rank
     }
   }
   ranks.Minimum(bounds, 6);
-  const ruc::Vector3 size = { -bounds[3] - bounds[0], -bounds[4] - bounds[1],
-    -bounds[5] - bounds[2] };
+  ruc::Vector3 size;
+  for (int q = 0; q < 3; ++q)
+  {
+    size[q] = -bounds[3 + q] - bounds[q];
+    while (bounds[q] + size[q] < -bounds[3 + q]) // rounding would leave the last centre outside
+    {
+      size[q] = std::nextafter(size[q], std::numeric_limits<double>::infinity());
+    }
+  }
   if (!(size[0] > 0.0 && size[1] > 0.0 && size[2] > 0.0))
   {
     throw std::invalid_argument("A window is required (BoxSize, or CylinderRadius and "

@@ -289,15 +289,25 @@ double SamplingRegion::LongestLine(double maximumLag) const
     : 2.0 * this->Radius;
 }
 
-// The mean projected area of a convex region is a quarter of its surface (Cauchy).
-double SamplingRegion::GridSpacing(double number) const
+// A quarter of the surface (Cauchy)
+double SamplingRegion::ProjectedArea() const
 {
   const Window& shape = this->Shape;
   const Vector3& size = shape.Size;
-  const double area = shape.GetShape() == Window::Shape::Cylinder
+  return shape.GetShape() == Window::Shape::Cylinder
     ? 0.5 * Pi * shape.Radius * (shape.Radius + shape.Height)
     : 0.5 * (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
-  return std::sqrt(area / number);
+}
+
+double SamplingRegion::GridSpacing(double number) const
+{
+  return std::sqrt(this->ProjectedArea() / number);
+}
+
+double SamplingRegion::LinesOfSpacing(double spacing) const
+{
+  // Periodic lines begin in a face, which is two thirds of that in the mean
+  return this->ProjectedArea() / (spacing * spacing) * (this->IsFullyPeriodic() ? 2.0 / 3.0 : 1.0);
 }
 
 double SamplingRegion::MostLines(double number) const

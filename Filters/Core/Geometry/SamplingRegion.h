@@ -73,12 +73,17 @@ public:
   /** No line is longer than this, gaps included. */
   double LongestLine(double maximumLag) const;
 
+  /** The number of parallel lines that makes their distance this. */
+  double LinesOfSpacing(double spacing) const;
+
   /** There are never more parallel lines than this where `number` are asked for. */
   double MostLines(double number) const;
 
 private:
   // Sets the bounding sphere to that of the bounds
   void EncloseBounds();
+  // Projected, in the mean over directions, of a convex region; of a mask that of its bounds
+  double ProjectedArea() const;
   // The distance of parallel lines
   double GridSpacing(double number) const;
   LineBundle PeriodicLines(const Vector3& direction, const std::array<double, 3>& shift,

@@ -6,6 +6,7 @@
 #include "Text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -166,8 +167,9 @@ public:
   SampledTwoPoint Sample(ChordLengths* chordLengths, const SamplingProgress& progress)
   {
     const bool aimed = this->Settings.TargetError > 0.0;
+    const int most = this->UsefulLinesInBatch();
     const int linesInBatch =
-      SamplesInBatch(this->Settings, aimed ? LinesInAimedBatch : MostLinesInBatch);
+      SamplesInBatch(this->Settings, aimed ? std::min(most, LinesInAimedBatch) : most);
     const std::int64_t batches = (this->Settings.Samples + linesInBatch - 1) / linesInBatch;
     this->LinesInBatch =
       aimed ? linesInBatch : static_cast<double>(this->Settings.Samples) / batches;
@@ -180,8 +182,7 @@ public:
       lengths.emplace(this->Modes, this->Lags, longest, mostLines);
     }
     // Some 10 MB of hits where a line meets 100 spheres
-    const int batchesAtOnce =
-      std::max({ MostLinesInBatch / linesInBatch, 2 * this->Ranks.Size(), 1 });
+    const int batchesAtOnce = std::max(MostLinesInBatch / linesInBatch, 2 * this->Ranks.Size());
     this->Drawn = 0;
     SampledTwoPoint result = TakeSamples(this->Settings, LineNames, linesInBatch, batchesAtOnce,
       sums, lengths ? lengths->GetRatios() : std::vector<SampledRatios*>(), this->Ranks, progress,
@@ -200,6 +201,17 @@ public:
   }
 
 private:
+  // Lines much closer to each other than the spheres tell the same; more directions tell more.
+  int UsefulLinesInBatch() const
+  {
+    std::int64_t spheres = static_cast<std::int64_t>(this->Own.Size());
+    this->Ranks.Sum(&spheres, 1);
+    const double distance =
+      0.75 * std::cbrt(this->Region.GetBounds().Volume() / std::max<std::int64_t>(spheres, 1));
+    return static_cast<int>(
+      std::clamp(this->Region.LinesOfSpacing(distance), 1.0, double(MostLinesInBatch)));
+  }
+
   // The lines of a batch and the spheres they meet
   struct Batch
   {
