@@ -8,7 +8,6 @@ is the paper's program STAT3D for a pack of your own: one- and two-point probabi
 their checks, gradients, isotropy, chord lengths, radial distribution functions, autocovariances, and S_rs(x) as an image. No display
 is needed. With --check it then tests its own results and ends with an error where one of them fails.
 """
-import argparse
 import csv
 import itertools
 import math
@@ -25,23 +24,14 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
 
-from unit_cell import close, fetch, field, pair, require, values_of
+from unit_cell import close, fetch, field, make_parser, pair, require, values_of
 
 CHORDS, TEMPLATE = "Chord Sampling", "Template Sampling"
 TABLES = {}  # on this rank, by filter and port
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(prog="pvbatch pack_statistics.py", description=__doc__.split("\n")[0],
-                                     formatter_class=argparse.ArgumentDefaultsHelpFormatter)
-    pack = parser.add_argument_group("pack")
-    pack.add_argument("--input", default=os.path.join(HERE, "Data", "bead_block.csv"), help="text table with columns x, y, z, radius")
-    pack.add_argument("--origin", type=float, nargs=3, default=[0, 0, 0], help="lower corner of the box of the centres")
-    pack.add_argument("--box", type=float, nargs=3, default=[1445.372, 1287.892, 789.106], help="edges of the box of the centres")
-    pack.add_argument("--unit", default="µm", help="unit of length")
-    modes = parser.add_argument_group("modes")
-    modes.add_argument("--modes", type=int, default=9, help="number of modes of equal width")
-    modes.add_argument("--edges", type=float, nargs="+", default=[], help="or the diameters between the modes, ascending")
+    parser = make_parser("pack_statistics.py", __doc__)
     statistics = parser.add_argument_group("statistics")
     statistics.add_argument("--maximum-lag", type=float, default=200.0, help="last lag r of S_rs(r)")
     statistics.add_argument("--lags", type=int, default=277, help="number K of lags after 0")

@@ -26,8 +26,9 @@ FETCHED = {}  # outputs on this rank, by filter and port
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
-def parse_arguments():
-    parser = argparse.ArgumentParser(prog="pvbatch unit_cell.py", description=__doc__.split("\n")[0],
+def make_parser(program, documentation):
+    """With the options of the pack and its modes, which the examples share."""
+    parser = argparse.ArgumentParser(prog="pvbatch " + program, description=documentation.split("\n")[0],
                                      formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     pack = parser.add_argument_group("pack")
     pack.add_argument("--input", default=os.path.join(HERE, "Data", "bead_block.csv"), help="text table with columns x, y, z, radius")
@@ -37,6 +38,11 @@ def parse_arguments():
     modes = parser.add_argument_group("modes")
     modes.add_argument("--modes", type=int, default=9, help="number of modes of equal width")
     modes.add_argument("--edges", type=float, nargs="+", default=[], help="or the diameters between the modes, ascending")
+    return parser
+
+
+def parse_arguments():
+    parser = make_parser("unit_cell.py", __doc__)
     cell = parser.add_argument_group("cell")
     cell.add_argument("--particles", type=int, default=1082, help="spheres in the cell")
     cell.add_argument("--maximum-lag", type=float, default=200.0, help="last lag r of S_rs(r)")

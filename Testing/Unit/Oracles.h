@@ -277,4 +277,23 @@ inline ruc::SpherePack RelaxedPack(const std::vector<int>& counts, const std::ve
   ruc::SortCanonically(pack);
   return pack;
 }
+
+struct PackInBox
+{
+  ruc::SpherePack Pack;
+  ruc::Window Box;
+};
+
+/** Sizes of a ratio of 20; a box hardly larger than the largest sphere; one flat as a plate; one
+ * sphere; none. They may overlap. */
+inline std::vector<PackInBox> HardPacks(const std::array<bool, 3>& periodic)
+{
+  const ruc::Window wide = ruc::Window::MakeBox({ -1, 2, 3 }, { 4.0, 5.0, 6.0 }, periodic);
+  const ruc::Window tight = ruc::Window::MakeBox({ 0, 0, 0 }, { 2.01, 2.2, 2.1 }, periodic);
+  const ruc::Window plate = ruc::Window::MakeBox({ 0, 0, 0 }, { 20.0, 20.0, 0.5 }, periodic);
+  return { { RandomPack({ 3, 30, 300 }, { 1.0, 0.2, 0.05 }, wide, 1), wide },
+    { RandomPack({ 2, 20 }, { 1.0, 0.05 }, tight, 2), tight },
+    { RandomPack({ 200 }, { 0.2 }, plate, 3), plate },
+    { RandomPack({ 1 }, { 0.7 }, wide, 4), wide }, { ruc::SpherePack(), wide } };
+}
 }

@@ -311,13 +311,15 @@ TEST(ChordSampling, OverlapIsCountedOnceAndGoesToTheLowestMode)
 {
   // Concentric spheres: the small one of the higher mode is not seen, that of the lower mode is.
   const Window box = oracle::PeriodicCube(3.0);
-  SpherePack pack = oracle::RandomPack({ 1 }, { 1.0 }, box, 1), both = pack;
-  both.Append(pack, 0);
-  both.Radius[1] = 0.6;
+  const SpherePack pack = oracle::RandomPack({ 1 }, { 1.0 }, box, 1);
+  SpherePack oneMode = pack;
+  oneMode.Append(pack, 0);
+  oneMode.Radius[1] = 0.6;
+  SpherePack both = oneMode;
   both.Mode[1] = 2;
   const LagGrid lags = { 0.3, 6 };
   const SamplingRegion region(box, 0.0);
-  const SampledTwoPoint one = Chords(pack, 1, region, lags, 640);
+  const SampledTwoPoint one = Chords(oneMode, 1, region, lags, 640);
   const SampledTwoPoint hidden = Chords(both, 2, region, lags, 640);
   EXPECT_EQ(hidden.Mean.Fractions[1], 0.0);
   EXPECT_EQ(hidden.Mean.S(0, 0), one.Mean.S(0, 0));

@@ -69,24 +69,6 @@ void ExpectSameHits(std::vector<SphereHit> found, const std::vector<SphereHit>& 
     EXPECT_EQ(found[n].Mode, expected[n].Mode);
   }
 }
-
-struct Case
-{
-  SpherePack Pack;
-  Window Box;
-};
-
-// Sizes of a ratio of 20; a box hardly larger than the largest sphere; one flat as a plate
-std::vector<Case> Cases(const std::array<bool, 3>& periodic)
-{
-  const Window wide = Window::MakeBox({ -1, 2, 3 }, { 4.0, 5.0, 6.0 }, periodic);
-  const Window tight = Window::MakeBox({ 0, 0, 0 }, { 2.01, 2.2, 2.1 }, periodic);
-  const Window plate = Window::MakeBox({ 0, 0, 0 }, { 20.0, 20.0, 0.5 }, periodic);
-  return { { oracle::RandomPack({ 3, 30, 300 }, { 1.0, 0.2, 0.05 }, wide, 1), wide },
-    { oracle::RandomPack({ 2, 20 }, { 1.0, 0.05 }, tight, 2), tight },
-    { oracle::RandomPack({ 200 }, { 0.2 }, plate, 3), plate },
-    { oracle::RandomPack({ 1 }, { 0.7 }, wide, 4), wide }, { SpherePack(), wide } };
-}
 }
 
 TEST(LineBundle, FindsTheSpheresOnItsLines)
@@ -94,7 +76,7 @@ TEST(LineBundle, FindsTheSpheresOnItsLines)
   for (const std::array<bool, 3>& periodic :
     { std::array<bool, 3>{ false, false, false }, { true, false, false }, { true, true, false } })
   {
-    for (const Case& c : Cases(periodic))
+    for (const oracle::PackInBox& c : oracle::HardPacks(periodic))
     {
       const SamplingRegion region(c.Box, 0.0);
       for (std::uint32_t n = 0; n < 20; ++n)
@@ -118,7 +100,7 @@ TEST(LineBundle, FindsTheSpheresOnItsLines)
 
 TEST(LineBundle, FindsEveryImageOnALongPeriodicLineOnce)
 {
-  for (const Case& c : Cases({ true, true, true }))
+  for (const oracle::PackInBox& c : oracle::HardPacks({ true, true, true }))
   {
     const SamplingRegion region(c.Box, 0.0);
     const double shortest = *std::min_element(c.Box.Size.begin(), c.Box.Size.end());
@@ -147,7 +129,7 @@ TEST(LineBundle, FindsEveryImageOnALongPeriodicLineOnce)
 
 TEST(LineBundle, SharesOfAPackAddUpBitByBit)
 {
-  for (const Case& c : Cases({ true, true, true }))
+  for (const oracle::PackInBox& c : oracle::HardPacks({ true, true, true }))
   {
     const SamplingRegion region(c.Box, 0.0);
     const LineBundle bundle = region.ParallelLines(3, 1, 40.0, 2.0);

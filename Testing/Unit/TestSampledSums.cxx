@@ -192,7 +192,7 @@ TEST(SampledSums, RefusesBadSettings)
     check({ 1, 9, 0.0 }, 1, { 1.0, 5 }), "MaximumLag requires 0 < MaximumLag <= 4.995, got 5.");
   EXPECT_SAYS(check({ 1, 9, 0.0 }, 1, { 0.0, 5 }), "MaximumLag requires 0 < MaximumLag");
   EXPECT_SAYS(check({ 1, 9, 0.0 }, 1, { 1.0, -1 }),
-    "NumberOfLags requires 0 <= NumberOfLags <= 100000, got -1.");
+    "NumberOfLags requires 1 <= NumberOfLags <= 100000, got -1.");
   EXPECT_SAYS(check({ 1, 9, 0.0 }, 1, { 1e-9, 100001 }), "got 100001.");
   EXPECT_SAYS(check({ 1, 9, 0.0 }, 400, { 1e-3, 1000 }),
     "NumberOfLags requires at most 620 lags for 400 modes, got 1000.");

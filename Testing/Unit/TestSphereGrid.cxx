@@ -20,24 +20,6 @@ Vector3 PointIn(const Window& box, oracle::Uniform& random)
   }
   return point;
 }
-
-struct Case
-{
-  SpherePack Pack;
-  Window Box;
-};
-
-// Sizes of a ratio of 20; a box hardly larger than the largest sphere; one flat as a plate
-std::vector<Case> Cases(const std::array<bool, 3>& periodic)
-{
-  const Window wide = Window::MakeBox({ -1, 2, 3 }, { 4.0, 5.0, 6.0 }, periodic);
-  const Window tight = Window::MakeBox({ 0, 0, 0 }, { 2.01, 2.2, 2.1 }, periodic);
-  const Window plate = Window::MakeBox({ 0, 0, 0 }, { 20.0, 20.0, 0.5 }, periodic);
-  return { { oracle::RandomPack({ 3, 30, 300 }, { 1.0, 0.2, 0.05 }, wide, 1), wide },
-    { oracle::RandomPack({ 2, 20 }, { 1.0, 0.05 }, tight, 2), tight },
-    { oracle::RandomPack({ 200 }, { 0.2 }, plate, 3), plate },
-    { oracle::RandomPack({ 1 }, { 0.7 }, wide, 4), wide }, { SpherePack(), wide } };
-}
 }
 
 TEST(SphereGrid, FindsTheLowestModeAtAPoint)
@@ -46,7 +28,7 @@ TEST(SphereGrid, FindsTheLowestModeAtAPoint)
   for (const std::array<bool, 3>& periodic :
     { std::array<bool, 3>{ false, false, false }, { true, true, true } })
   {
-    for (const Case& c : Cases(periodic))
+    for (const oracle::PackInBox& c : oracle::HardPacks(periodic))
     {
       if (c.Box.IsFullyPeriodic() && c.Box.Size[2] < 1.0)
       {

@@ -249,17 +249,9 @@ void CheckSampling(const SamplingSettings& settings, const SampleNames& names, i
     throw std::invalid_argument(Text(names.Property, " requires a number <= ",
       static_cast<std::int64_t>(MostSamples), ", got ", settings.Samples, "."));
   }
-  if (lags.Count < 0 || lags.Count > MostLags)
+  if (lags.Count != 0)
   {
-    throw std::invalid_argument(
-      Text("NumberOfLags requires 0 <= NumberOfLags <= ", MostLags, ", got ", lags.Count, "."));
-  }
-  constexpr double mostNumbers = 5e7; // of all functions, 400 MB
-  const double pairs = 0.5 * (modes + 1.0) * (modes + 2.0);
-  if (pairs * (lags.Count + 1.0) > mostNumbers)
-  {
-    throw std::invalid_argument(Text("NumberOfLags requires at most ",
-      static_cast<int>(mostNumbers / pairs), " lags for ", modes, " modes, got ", lags.Count, "."));
+    ExactPairSum::CheckNumberOfLags(modes, lags);
   }
   const double largest = region.LargestLag();
   if (lags.Count > 0 && !(lags.Maximum() > 0.0 && lags.Maximum() <= largest * (1.0 + 1e-12)))
