@@ -156,13 +156,6 @@ void vtkRUCTwoPointProbability::Execute(
 {
   this->ValidateProperties();
   ProgressReport report(this, this->GetLabel());
-  const auto progress = [&](double done, const std::string& text)
-  {
-    if (ranks.Rank() == 0)
-    {
-      report.Update(done, text);
-    }
-  };
   const PackData::SharedPack pack =
     PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
   const ruc::PackShare& share = pack.Share;
@@ -176,50 +169,12 @@ void vtkRUCTwoPointProbability::Execute(
         region->LargestLag());
   const ruc::LagGrid lags = TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags, automatic);
 
-  ruc::SampledTwoPoint measured = { ruc::TwoPointProbability(share.NumberOfModes(), lags), {}, {},
-    {}, 0, 0.0 };
   ruc::ChordLengths chords;
-  const int modes = share.NumberOfModes();
-  if (this->Method == EXACT_PAIR_SUM)
-  {
-    measured.Mean = TwoPointSum::Compute(share, lags, ranks, report);
-  }
-  else if (this->Method == TEMPLATE_SAMPLING)
-  {
-    measured = ruc::SampleTemplate(
-      share.Own, modes, *region, lags, this->GetSettings(true), ranks, progress);
-  }
-  if (this->Method == CHORD_SAMPLING || this->ChordLengths)
-  {
-    ruc::SampledTwoPoint sampled = ruc::SampleChords(share.Own, modes, *region, lags,
-      this->GetSettings(false), ranks, progress, this->ChordLengths ? &chords : nullptr);
-    if (this->Method == CHORD_SAMPLING)
-    {
-      measured = std::move(sampled);
-    }
-  }
-
-  const ruc::TwoPointProbability& probability = measured.Mean;
-  const double diameter = share.MeanDiameter();
-  std::vector<ruc::TwoPointCheck> checks =
-    ruc::CheckTwoPointProbability(probability, this->SaturationTolerance, diameter);
-  for (std::size_t pair = 0; pair < measured.Asymmetry.size(); ++pair)
-  {
-    checks[pair].Asymmetry = measured.Asymmetry[pair];
-  }
+  const ruc::SampledTwoPoint measured =
+    this->Measure(share, region.get(), lags, ranks, report, chords);
   if (ranks.Rank() == 0)
   {
-    TwoPointTables::FillProbabilities(measured, vtkTable::GetData(outputs, PROBABILITIES));
-    TwoPointTables::FillChecks(probability, checks, vtkTable::GetData(outputs, CHECKS));
-    TwoPointTables::FillGradients(probability, vtkTable::GetData(outputs, GRADIENTS));
-    if (this->ChordLengths)
-    {
-      TwoPointTables::FillChordLengths(chords, vtkTable::GetData(outputs, CHORDS));
-    }
-    if (this->Autocovariance)
-    {
-      TwoPointTables::FillAutocovariance(probability, vtkTable::GetData(outputs, AUTOCOVARIANCES));
-    }
+    this->FillTables(measured, chords, share, outputs);
   }
   if (!imagePairs.empty())
   {
@@ -231,26 +186,20 @@ void vtkRUCTwoPointProbability::Execute(
   }
   if (this->RadialDistribution)
   {
-    const ruc::RadialDistribution distribution = ruc::MeasureRadialDistribution(
-      share, lags, ranks, [&](double done) { progress(done, "radial distribution"); });
-    if (ranks.Rank() == 0)
-    {
-      TwoPointTables::FillRadialDistribution(
-        distribution, vtkTable::GetData(outputs, RADIAL_DISTRIBUTIONS));
-    }
+    this->FillRadialDistribution(share, lags, outputs, ranks, report);
   }
 
   const double overlap = ruc::MeasureOverlap(share, ranks).Percent;
+  const double saturation =
+    ruc::SaturationLength(measured.Mean, this->SaturationTolerance, share.MeanDiameter());
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     vtkDataObject* data = outputs->GetInformationObject(port)->Get(vtkDataObject::DATA_OBJECT());
     PackData::AddField(data, "Method", std::string(MethodNames[this->Method]));
     PackData::AddField(data, "NumberOfLags", std::vector<long long>{ lags.Count });
     PackData::AddField(data, "MaximumLag", std::vector<double>{ lags.Maximum() });
-    PackData::AddField(data, "SaturationLength",
-      std::vector<double>{
-        ruc::SaturationLength(probability, this->SaturationTolerance, diameter) });
-    PackData::AddPackSummary(data, pack, share.NumberOfSpheres, probability.Fractions, overlap);
+    PackData::AddField(data, "SaturationLength", std::vector<double>{ saturation });
+    PackData::AddPackSummary(data, pack, share.NumberOfSpheres, measured.Mean.Fractions, overlap);
     if (region)
     {
       this->AddRegionSummary(data, *region);
@@ -263,11 +212,83 @@ void vtkRUCTwoPointProbability::Execute(
       PackData::AddField(data, "TotalError", std::vector<double>{ measured.TotalError });
     }
   }
-  this->AddConsistency(probability, share, vtkTable::GetData(outputs, CHECKS));
+  this->AddConsistency(measured.Mean, share, vtkTable::GetData(outputs, CHECKS));
   const bool sumsPairs = this->Method == EXACT_PAIR_SUM || !imagePairs.empty();
   if (sumsPairs && ranks.Rank() == 0 && overlap > PackData::TolerableOverlap)
   {
     vtkWarningMacro(<< this->GetLabel() << PackData::OverlapWarning(overlap));
+  }
+}
+
+ruc::SampledTwoPoint vtkRUCTwoPointProbability::Measure(const ruc::PackShare& share,
+  const ruc::SamplingRegion* region, const ruc::LagGrid& lags, RankCommunicator& ranks,
+  ProgressReport& report, ruc::ChordLengths& chords) const
+{
+  const auto progress = [&](double done, const std::string& text)
+  {
+    if (ranks.Rank() == 0)
+    {
+      report.Update(done, text);
+    }
+  };
+  const int modes = share.NumberOfModes();
+  ruc::SampledTwoPoint byChords = { ruc::TwoPointProbability(modes, lags), {}, {}, {}, 0, 0.0 };
+  if (this->Method == CHORD_SAMPLING || this->ChordLengths)
+  {
+    byChords = ruc::SampleChords(share.Own, modes, *region, lags, this->GetSettings(false), ranks,
+      progress, this->ChordLengths ? &chords : nullptr);
+  }
+  switch (this->Method)
+  {
+    case CHORD_SAMPLING:
+      return byChords;
+    case TEMPLATE_SAMPLING:
+      return ruc::SampleTemplate(
+        share.Own, modes, *region, lags, this->GetSettings(true), ranks, progress);
+    default: // exact, so without errors
+      return { TwoPointSum::Compute(share, lags, ranks, report), {}, {}, {}, 0, 0.0 };
+  }
+}
+
+void vtkRUCTwoPointProbability::FillTables(const ruc::SampledTwoPoint& measured,
+  const ruc::ChordLengths& chords, const ruc::PackShare& share, vtkInformationVector* outputs) const
+{
+  const ruc::TwoPointProbability& probability = measured.Mean;
+  std::vector<ruc::TwoPointCheck> checks =
+    ruc::CheckTwoPointProbability(probability, this->SaturationTolerance, share.MeanDiameter());
+  for (std::size_t pair = 0; pair < measured.Asymmetry.size(); ++pair)
+  {
+    checks[pair].Asymmetry = measured.Asymmetry[pair];
+  }
+  TwoPointTables::FillProbabilities(measured, vtkTable::GetData(outputs, PROBABILITIES));
+  TwoPointTables::FillChecks(probability, checks, vtkTable::GetData(outputs, CHECKS));
+  TwoPointTables::FillGradients(probability, vtkTable::GetData(outputs, GRADIENTS));
+  if (this->ChordLengths)
+  {
+    TwoPointTables::FillChordLengths(chords, vtkTable::GetData(outputs, CHORDS));
+  }
+  if (this->Autocovariance)
+  {
+    TwoPointTables::FillAutocovariance(probability, vtkTable::GetData(outputs, AUTOCOVARIANCES));
+  }
+}
+
+void vtkRUCTwoPointProbability::FillRadialDistribution(const ruc::PackShare& share,
+  const ruc::LagGrid& lags, vtkInformationVector* outputs, RankCommunicator& ranks,
+  ProgressReport& report) const
+{
+  const ruc::RadialDistribution distribution = ruc::MeasureRadialDistribution(share, lags, ranks,
+    [&](double done)
+    {
+      if (ranks.Rank() == 0)
+      {
+        report.Update(done, "radial distribution");
+      }
+    });
+  if (ranks.Rank() == 0)
+  {
+    TwoPointTables::FillRadialDistribution(
+      distribution, vtkTable::GetData(outputs, RADIAL_DISTRIBUTIONS));
   }
 }
 

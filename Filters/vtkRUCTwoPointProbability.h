@@ -49,8 +49,10 @@ class ProgressReport;
 class vtkTable;
 namespace ruc
 {
+struct ChordLengths;
 struct LagGrid;
 struct PackShare;
+struct SampledTwoPoint;
 struct TwoPointProbability;
 }
 
@@ -168,13 +170,22 @@ private:
 
   void ValidateProperties();
   bool SamplesRegion() const;
-  // What the outputs beside 0 to 2 take, if they are wanted
+  // By the method, and the chord lengths if they are wanted
+  ruc::SampledTwoPoint Measure(const ruc::PackShare& share, const ruc::SamplingRegion* region,
+    const ruc::LagGrid& lags, RankCommunicator& ranks, ProgressReport& report,
+    ruc::ChordLengths& chords) const;
+  // What follows from what was measured; on rank 0
+  void FillTables(const ruc::SampledTwoPoint& measured, const ruc::ChordLengths& chords,
+    const ruc::PackShare& share, vtkInformationVector* outputs) const;
+  // What takes work of its own, if it is wanted
   void FillMap(const PackData::SharedPack& pack, const std::vector<std::array<int, 2>>& pairs,
     const ruc::LagGrid& lags, vtkInformationVector* outputs, RankCommunicator& ranks,
     ProgressReport& report);
   void FillDirections(const PackData::SharedPack& pack, const ruc::SamplingRegion* region,
     const ruc::LagGrid& lags, vtkInformationVector* outputs, RankCommunicator& ranks,
     ProgressReport& report);
+  void FillRadialDistribution(const ruc::PackShare& share, const ruc::LagGrid& lags,
+    vtkInformationVector* outputs, RankCommunicator& ranks, ProgressReport& report) const;
   // What must agree, as field data
   void AddConsistency(const ruc::TwoPointProbability& probability, const ruc::PackShare& share,
     vtkTable* table) const;
