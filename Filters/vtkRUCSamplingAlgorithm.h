@@ -70,9 +70,11 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
   ///@{
-  /** Lines that Chord Sampling takes, about, >= 1: in 64 grids of random direction, or more where
-   * the lines of one would lie closer than the spheres. Field
-   * data `NumberOfLines` tells how many it were. Default: 20 000. */
+  /**
+   * Lines that Chord Sampling takes, about, >= 1: in 64 grids of random direction, or more where
+   * the lines of one would lie closer than the spheres. Field data `NumberOfLines` tells how many
+   * it were. Default: 20 000.
+   */
   vtkSetMacro(NumberOfLines, int);
   vtkGetMacro(NumberOfLines, int);
   ///@}

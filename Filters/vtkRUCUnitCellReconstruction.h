@@ -16,11 +16,11 @@
  * its gradient with an overlap penalty, last overlap removed exactly.
  *
  * Outputs, whole on rank 0: 0 the cell, a sphere pack with its periodic box and the field data
- * `Objective` (F2), `StartObjective` (F2 of the random start without overlap), `OnePointDifference`
- * (F1, equation 11), `OverlapPercent`, `Iterations`, `EndedBy` (text) and `Stopped` (1 when the
- * search was ended from outside); 1 the table of convergence `Iteration`, `Objective`,
- * `OverlapPercent`, where row 0 is the random start and the last row the cell returned; 2 the table
- * `r`, `S_1_1_pack`, `S_1_1_cell`, ….
+ * `Objective` (F2), `StartObjective` (F2 of the random start, freed from overlap as far as that
+ * went), `OnePointDifference` (F1, equation 11), `OverlapPercent`, `Iterations`, `EndedBy` (text)
+ * and `Stopped` (1 when the search was ended from outside); 1 the table of convergence `Iteration`,
+ * `Objective`, `OverlapPercent`, where row 0 is the random start and the last row the cell
+ * returned; 2 the table `r`, `S_1_1_pack`, `S_1_1_cell`, ….
  *
  * Every iteration asks whether to stop: by the time limit, by the stop file, or by SetAbortExecute
  * from an observer of progress. The best cell so far is then the output. Equation numbers: Lee et

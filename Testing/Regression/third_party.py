@@ -37,5 +37,7 @@ for name, rows, ghosts, fraction, digits in (('Sph1896_pack.out', 1896, 396, 1 -
     cell.UpdatePipeline()
     data = servermanager.Fetch(cell)
     assert data.GetNumberOfPoints() == pack.GetNumberOfPoints()
-    assert field(data, 'Objective') <= field(data, 'StartObjective')
+    # The search prefers a cell without overlap, even to a better one with, and near jamming the start may have been left with some
+    start = servermanager.Fetch(cell, idx=1).GetValueByName(1, 'OverlapPercent').ToDouble()
+    assert start > 0 or field(data, 'Objective') <= field(data, 'StartObjective')
     print('  cell: F2', field(data, 'Objective'), 'overlap', field(data, 'OverlapPercent'), '%')

@@ -35,7 +35,7 @@ struct UnitCell
   SpherePack Pack; // centres in [0, edge)^3
   Window Box;
   double Objective = 0.0;      // F2 of `Pack`
-  double StartObjective = 0.0; // F2 of the random start, its overlap removed
+  double StartObjective = 0.0; // F2 of the random start, freed from overlap as far as it went
   PackOverlap Overlap;
   int Iterations = 0;
   /** "Target objective", "Maximum iterations", "Converged", or "Stopped" when the caller ended the
