@@ -13,9 +13,9 @@ namespace ruc
 {
 /**
  * The spheres of a pack sorted into the cells of a grid over a box, each cell with all spheres that
- * reach into it, for looking points up. Along a periodic axis the images of the
- * spheres count as spheres of their own. Memory is linear in the number of spheres, about 100 bytes
- * each beyond the pack, whatever their sizes.
+ * reach into it, for looking points up. Along a periodic axis the images of the spheres count as
+ * spheres of their own. Memory is linear in the number of spheres, about 100 bytes each beyond the
+ * pack, whatever their sizes.
  *
  * What a query returns depends on the spheres and the point alone, never on the grid. Queries may
  * run concurrently.

@@ -51,8 +51,8 @@ using SamplingProgress = std::function<void(double done, const std::string& text
  * most 1 in magnitude (to rounding), and n^2, d^2, n d are each rounded to a multiple of 2^-s. With
  * up to B batches in all, s is the lesser of 50 and 62 - ceil(log2 B), so that no sum exceeds
  * 2^62 (1 + 1e-9) in units of 2^-s, and no single number 2^51. The resolution is 9e-16 up to 4096
- * batches, and 1.5e-11 with 2^26, the most there are (2^31 samples in batches of 32), the mean of
- * whose rounding errors is below 1e-14. A standard error drowns where the batches vary by less than
+ * batches, and 1.5e-11 with 2^26 (2^31 samples in batches of 32), the mean of whose rounding
+ * errors is below 1e-14. A standard error drowns where the batches vary by less than
  * about 1e-7 of the greatest value a batch may have.
  */
 class SampledRatios
