@@ -12,7 +12,7 @@ from paraview.servermanager import Fetch
 
 pack, numbers, picture = sys.argv[1:4]
 if len(sys.argv) > 4:
-    pv.Connect("localhost", int(sys.argv[4]))
+    pv.Connect("127.0.0.1", int(sys.argv[4]))  # a bare system may not know the name localhost
     assert servermanager.ActiveConnection.GetNumberOfDataPartitions() == int(sys.argv[5])
     pv.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0.0
 
