@@ -20,10 +20,12 @@ reader = pv.SpherePackReader(FileName=pack, BoxSize=[10, 10, 10], BoxPeriodic=[1
 modes = pv.ParticleModes(Input=reader, Method="One Per Size")
 one_point = pv.OnePointProbability(Input=modes)
 two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=40)
+chords = pv.TwoPointProbability(Input=modes, NumberOfLags=40, Method="Chord Sampling", NumberOfLines=500)
 cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags=40, MaximumIterations=10)
 replicas = pv.PeriodicReplicas(Input=cell)
 
-OUTPUTS = {"modes": (modes, 2), "one point": (one_point, 1), "two point": (two_point, 3), "cell": (cell, 3), "replicas": (replicas, 1)}
+OUTPUTS = {"modes": (modes, 2), "one point": (one_point, 1), "two point": (two_point, 3), "chords": (chords, 3),
+           "cell": (cell, 3), "replicas": (replicas, 1)}
 lines = []
 for name, (source, ports) in OUTPUTS.items():
     source.UpdatePipeline()
