@@ -335,7 +335,7 @@ void vtkRUCTwoPointProbability::FillMap(const PackData::SharedPack& pack,
   image->SetExtent(slab);
   image->SetOrigin(0.0, 0.0, 0.0);
   image->SetSpacing(spacing, spacing, spacing);
-  const ruc::TwoPointProbability names(pack.Share.NumberOfModes(), lags);
+  const ruc::TwoPointProbability names(pack.Share.NumberOfModes(), { 1.0, 0 });
   for (std::size_t p = 0; p < pairs.size(); ++p)
   {
     vtkNew<vtkDoubleArray> values;

@@ -296,4 +296,21 @@ inline std::vector<PackInBox> HardPacks(const std::array<bool, 3>& periodic)
     { RandomPack({ 200 }, { 0.2 }, plate, 3), plate },
     { RandomPack({ 1 }, { 0.7 }, wide, 4), wide }, { ruc::SpherePack(), wide } };
 }
+
+/** A pack in a periodic cube with the 26 images around it. */
+inline ruc::SpherePack WithImages(const ruc::SpherePack& cell, double edge)
+{
+  ruc::SpherePack pack;
+  for (std::size_t i = 0; i < cell.Size(); ++i)
+  {
+    for (int n = 0; n < 27; ++n)
+    {
+      pack.Append(cell, i);
+      pack.X.back() += edge * (n % 3 - 1);
+      pack.Y.back() += edge * (n / 3 % 3 - 1);
+      pack.Z.back() += edge * (n / 9 - 1);
+    }
+  }
+  return pack;
+}
 }

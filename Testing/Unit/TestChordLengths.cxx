@@ -73,18 +73,7 @@ TEST(ChordLengths, ShortLinesAreCorrectedFor)
   // The chords of the same spheres, seen through windows hardly longer than they are
   const Window cube = oracle::PeriodicCube(6.0);
   constexpr double a = 0.7;
-  SpherePack pack;
-  const SpherePack cell = oracle::RelaxedPack({ 45 }, { a }, cube, 2);
-  for (std::size_t i = 0; i < cell.Size(); ++i)
-  {
-    for (int n = 0; n < 27; ++n)
-    {
-      pack.Append(cell, i);
-      pack.X.back() += 6.0 * (n % 3 - 1);
-      pack.Y.back() += 6.0 * (n / 3 % 3 - 1);
-      pack.Z.back() += 6.0 * (n / 9 - 1);
-    }
-  }
+  const SpherePack pack = oracle::WithImages(oracle::RelaxedPack({ 45 }, { a }, cube, 2), 6.0);
   const LagGrid lags = { 0.2, 8 };
   MeanFunction density(lags.Count + 1), path(lags.Count + 1);
   MeanFunction chord(1);

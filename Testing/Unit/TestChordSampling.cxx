@@ -198,17 +198,7 @@ TEST(ChordSampling, RegionsOfAllKindsGiveTheSameInTheMean)
   // are images, which a periodic window knows of and others must be given.
   const Window cube = oracle::PeriodicCube(6.0);
   const SpherePack pack = oracle::RelaxedPack({ 10, 20 }, { 0.9, 0.6 }, cube, 5);
-  SpherePack tiled;
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    for (int n = 0; n < 27; ++n)
-    {
-      tiled.Append(pack, i);
-      tiled.X.back() += 6.0 * (n % 3 - 1);
-      tiled.Y.back() += 6.0 * (n / 3 % 3 - 1);
-      tiled.Z.back() += 6.0 * (n / 9 - 1);
-    }
-  }
+  const SpherePack tiled = oracle::WithImages(pack, 6.0);
   const LagGrid lags = { 0.5, 4 };
   const TwoPointProbability exact = Measure(pack, cube, lags);
   const auto check = [&](auto&& regionAt, auto&& packAt)

@@ -97,19 +97,6 @@ SpherePack Lattice(double stretch)
   }
   return pack;
 }
-
-SpherePack PieceOf(const SpherePack& pack, int rank, int ranks, bool allOnLast)
-{
-  SpherePack piece;
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    if ((allOnLast ? ranks - 1 : static_cast<int>(i % ranks)) == rank)
-    {
-      piece.Append(pack, i);
-    }
-  }
-  return piece;
-}
 }
 
 TEST(DirectionalProbability, EqualsBruteForceOverPairs)
@@ -282,8 +269,8 @@ TEST(DirectionalProbability, TheSameForAnyRanksAndThreads)
         oracle::ThreadRanks::Run(size,
           [&](ruc::Communicator& ranks)
           {
-            const ruc::PackShare share =
-              ruc::SharePack(PieceOf(pack, ranks.Rank(), size, allOnLast), window, true, ranks);
+            const ruc::PackShare share = ruc::SharePack(
+              oracle::PieceOf(pack, ranks.Rank(), size, allOnLast), window, true, ranks);
             const ruc::DirectionalProbability got =
               ruc::SumPairsAlong(share, directions, lags, ranks);
             for (std::size_t d = 0; d < directions.size(); ++d)

@@ -19,26 +19,6 @@ namespace
 using ruc::SpherePack;
 using ruc::Window;
 
-// How the pieces lie on the ranks before they are shared out
-const std::vector<std::function<int(std::size_t, int)>> Spreads = {
-  [](std::size_t i, int ranks) { return static_cast<int>(i % ranks); }, // in turn
-  [](std::size_t, int ranks) { return ranks - 1; },                     // all on the last rank
-};
-
-SpherePack PieceOf(
-  const SpherePack& pack, int rank, int ranks, const std::function<int(std::size_t, int)>& ownerOf)
-{
-  SpherePack piece;
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    if (ownerOf(i, ranks) == rank)
-    {
-      piece.Append(pack, i);
-    }
-  }
-  return piece;
-}
-
 ruc::TwoPointProbability MeasureOverRanks(
   ruc::Communicator& ranks, const ruc::PackShare& share, const ruc::LagGrid& lags)
 {
@@ -69,7 +49,7 @@ TEST(PackShare, EverySphereHasOneOwnerAndSharesAreEven)
   const SpherePack pack = oracle::RandomPack({ 2000, 3000 }, { 0.2, 0.1 }, box, 5);
   for (int size : { 1, 2, 3, 7 })
   {
-    for (const auto& spread : Spreads)
+    for (bool allOnLast : { false, true })
     {
       std::mutex mutex;
       std::multiset<std::array<double, 5>> found;
@@ -77,10 +57,10 @@ TEST(PackShare, EverySphereHasOneOwnerAndSharesAreEven)
         [&](ruc::Communicator& ranks)
         {
           const ruc::PackShare share =
-            ruc::SharePack(PieceOf(pack, ranks.Rank(), size, spread), box, true, ranks);
+            ruc::SharePack(oracle::PieceOf(pack, ranks.Rank(), size, allOnLast), box, true, ranks);
           EXPECT_EQ(share.NumberOfSpheres, 5000);
           EXPECT_EQ(share.Count, (std::vector<std::int64_t>{ 2000, 3000 }));
-          EXPECT_NEAR(share.Volume[0], 2000 * ruc::SharePack(pack, box).Volume[0] / 2000, 0.0);
+          EXPECT_EQ(share.Volume, ruc::SharePack(pack, box).Volume);
           EXPECT_NEAR(share.Volume[1], 3000 * 4.0 / 3.0 * oracle::Pi * 1e-3, 1e-9);
           // All centres are in the sample that the regions are cut from
           EXPECT_LE(std::abs(static_cast<int>(share.Own.Size()) - 5000 / size), size);
@@ -125,7 +105,7 @@ TEST(PairNeighbourhood, MeetsEveryPairOfImagesOnceOverAllRanks)
           [&](ruc::Communicator& ranks)
           {
             const ruc::PackShare share =
-              ruc::SharePack(PieceOf(pack, ranks.Rank(), size, Spreads[0]), window, true, ranks);
+              ruc::SharePack(oracle::PieceOf(pack, ranks.Rank(), size, false), window, true, ranks);
             const ruc::PairNeighbourhood pairs(share, cutoff, ranks);
             const std::lock_guard<std::mutex> lock(mutex);
             pairs.ForEachPair(0, pairs.Size(),
@@ -173,13 +153,13 @@ TEST(PackShare, ResultsAreTheSameForAnySharing)
       EXPECT_NEAR(overlap.Percent, ruc::MeasureOverlap(pack, window).Percent, 1e-9);
       for (int size : { 2, 3, 6 })
       {
-        for (const auto& spread : Spreads)
+        for (bool allOnLast : { false, true })
         {
           oracle::ThreadRanks::Run(size,
             [&](ruc::Communicator& ranks)
             {
-              const ruc::PackShare share =
-                ruc::SharePack(PieceOf(pack, ranks.Rank(), size, spread), window, true, ranks);
+              const ruc::PackShare share = ruc::SharePack(
+                oracle::PieceOf(pack, ranks.Rank(), size, allOnLast), window, true, ranks);
               const ruc::TwoPointProbability got = MeasureOverRanks(ranks, share, lags);
               EXPECT_TRUE(got.Values == expected.Values) << window.Describe() << size;
               EXPECT_TRUE(got.Fractions == expected.Fractions);
@@ -205,7 +185,7 @@ TEST(PackShare, MoreRanksThanSpheres)
     [&](ruc::Communicator& ranks)
     {
       const ruc::PackShare share =
-        ruc::SharePack(PieceOf(pack, ranks.Rank(), 5, Spreads[1]), box, true, ranks);
+        ruc::SharePack(oracle::PieceOf(pack, ranks.Rank(), 5, true), box, true, ranks);
       EXPECT_TRUE(MeasureOverRanks(ranks, share, lags).Values == expected);
     });
 }
@@ -220,7 +200,7 @@ TEST(PackShare, BadInputIsRefusedOnEveryRank)
       [&](ruc::Communicator& ranks)
       {
         EXPECT_SAYS(
-          ruc::SharePack(PieceOf(pack, ranks.Rank(), 3, Spreads[0]), window, true, ranks), part);
+          ruc::SharePack(oracle::PieceOf(pack, ranks.Rank(), 3, false), window, true, ranks), part);
       });
   };
   refuses({}, box, "at least one sphere");

@@ -69,19 +69,6 @@ SpherePack PackIn(const Window& window, bool overlapping)
                                        : oracle::RelaxedPack({ 40, 60 }, { 0.9, 0.5 }, cube, 7),
     window);
 }
-
-SpherePack PieceOf(const SpherePack& pack, int rank, int ranks, bool allOnLast)
-{
-  SpherePack piece;
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    if ((allOnLast ? ranks - 1 : static_cast<int>(i % ranks)) == rank)
-    {
-      piece.Append(pack, i);
-    }
-  }
-  return piece;
-}
 }
 
 TEST(ProbabilityMap, EqualsBruteForceOverPairs)
@@ -210,8 +197,8 @@ TEST(ProbabilityMap, TheSameForAnyRanksAndThreads)
         oracle::ThreadRanks::Run(size,
           [&](ruc::Communicator& ranks)
           {
-            const ruc::PackShare share =
-              ruc::SharePack(PieceOf(pack, ranks.Rank(), size, allOnLast), window, true, ranks);
+            const ruc::PackShare share = ruc::SharePack(
+              oracle::PieceOf(pack, ranks.Rank(), size, allOnLast), window, true, ranks);
             EXPECT_TRUE(ruc::MapPairs(share, AllPairs, 0.5, 2.5, ranks).Values == expected)
               << window.Describe() << " on " << size;
           });

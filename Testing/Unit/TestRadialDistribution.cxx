@@ -77,19 +77,6 @@ SpherePack PackIn(const Window& window)
   return ruc::CropToWindow(
     oracle::RandomPack({ 150, 250 }, { 0.2, 0.1 }, oracle::PeriodicCube(10.0), 9), window);
 }
-
-SpherePack PieceOf(const SpherePack& pack, int rank, int ranks, bool allOnLast)
-{
-  SpherePack piece;
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    if ((allOnLast ? ranks - 1 : static_cast<int>(i % ranks)) == rank)
-    {
-      piece.Append(pack, i);
-    }
-  }
-  return piece;
-}
 }
 
 TEST(RadialDistribution, EqualsBruteForceOverPairs)
@@ -222,8 +209,8 @@ TEST(RadialDistribution, TheSameForAnyRanksAndThreads)
         oracle::ThreadRanks::Run(size,
           [&](ruc::Communicator& ranks)
           {
-            const ruc::PackShare share =
-              ruc::SharePack(PieceOf(pack, ranks.Rank(), size, allOnLast), window, true, ranks);
+            const ruc::PackShare share = ruc::SharePack(
+              oracle::PieceOf(pack, ranks.Rank(), size, allOnLast), window, true, ranks);
             const ruc::RadialDistribution got = ruc::MeasureRadialDistribution(share, lags, ranks);
             EXPECT_TRUE(got.Values == expected.Values) << window.Describe() << " on " << size;
             EXPECT_TRUE(got.Total == expected.Total);

@@ -5,6 +5,7 @@
 /** @file Ranks within one process, for testing what ranks do together without MPI. */
 
 #include "Communicator.h"
+#include "Geometry/SpherePack.h"
 
 #include <algorithm>
 #include <condition_variable>
@@ -166,4 +167,18 @@ private:
   std::mutex Mutex;
   std::condition_variable Condition;
 };
+
+/** A rank's piece of a pack that is spread in turn, or lies on the last rank. */
+inline ruc::SpherePack PieceOf(const ruc::SpherePack& pack, int rank, int ranks, bool allOnLast)
+{
+  ruc::SpherePack piece;
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    if ((allOnLast ? ranks - 1 : static_cast<int>(i % ranks)) == rank)
+    {
+      piece.Append(pack, i);
+    }
+  }
+  return piece;
+}
 }

@@ -91,12 +91,13 @@ void FindTotals(PackShare& share, Communicator& ranks)
   {
     share.Count.push_back(mode.Count);
     share.Volume.push_back(SphereVolume(radius) * (WideValue(mode.Cubes) / scale));
-    share.Surface.push_back(3.0 / radius * SphereVolume(radius) * (WideValue(mode.Squares) / scale));
+    share.Surface.push_back(
+      3.0 / radius * SphereVolume(radius) * (WideValue(mode.Squares) / scale));
   }
 }
 }
 
-double PackShare::MeanDiameter() const
+double PackTotals::MeanDiameter() const
 {
   double volume = 0.0;
   for (double v : this->Volume)
@@ -127,8 +128,11 @@ PackShare SharePack(SpherePack piece, const Window& window, bool withModes, Comm
 
   // Equal centres meet on one rank
   WrapIntoBox(piece, window);
-  share.Own =
-    ranks.Size() > 1 ? ExchangeSpheres(std::move(piece), share.NumberOfSpheres, ranks) : piece;
+  share.Own = std::move(piece);
+  if (ranks.Size() > 1)
+  {
+    share.Own = ExchangeSpheres(std::move(share.Own), share.NumberOfSpheres, ranks);
+  }
   SortCanonically(share.Own);
   ranks.ThrowIfAny(FindCoincidence(share.Own, window));
   FindTotals(share, ranks);

@@ -10,19 +10,10 @@
 
 namespace ruc
 {
-/**
- * A pack that is spread over ranks: the spheres of one rank, and what every rank knows of the
- * whole. No rank ever holds more of the pack than its share and the surroundings it asks for
- * (PairNeighbourhood).
- */
-struct PackShare
+/** What every rank knows of a pack that is spread over ranks; the same on all. */
+struct PackTotals
 {
-  /** The spheres of this rank, wrapped into the box along periodic axes, in canonical order. */
-  SpherePack Own;
-  /** Where the centres of the whole pack were observed. */
-  Window Observed;
-
-  // Of the whole pack, the same on every rank
+  Window Observed; // of the centres
   std::int64_t NumberOfSpheres = 0;
   double LargestRadius = 0.0;
   std::vector<std::int64_t> Count; // spheres of every mode; one mode where the pack has none
@@ -32,6 +23,16 @@ struct PackShare
   int NumberOfModes() const { return static_cast<int>(this->Count.size()); }
   /** (sum d^3 / number)^(1/3) */
   double MeanDiameter() const;
+};
+
+/**
+ * A pack that is spread over ranks: the spheres of one rank, and the totals. No rank ever holds
+ * more of the pack than its share and the surroundings it asks for (PairNeighbourhood).
+ */
+struct PackShare : PackTotals
+{
+  /** The spheres of this rank, wrapped into the box along periodic axes, in canonical order. */
+  SpherePack Own;
 };
 
 /**

@@ -16,7 +16,7 @@ namespace ruc
 namespace
 {
 // The nearest whole numbers to `share` of every mode's count
-std::vector<int> RoundedCounts(const PackShare& pack, double share)
+std::vector<int> RoundedCounts(const PackTotals& pack, double share)
 {
   std::vector<int> counts;
   for (std::int64_t count : pack.Count)
@@ -27,7 +27,7 @@ std::vector<int> RoundedCounts(const PackShare& pack, double share)
   return counts;
 }
 
-CellContents MakeContents(const PackShare& pack, double share)
+CellContents MakeContents(const PackTotals& pack, double share)
 {
   const double windowVolume = pack.Observed.Volume();
   CellContents contents;
@@ -69,12 +69,12 @@ int CellContents::NumberOfSpheres() const
   return std::accumulate(this->Count.begin(), this->Count.end(), 0);
 }
 
-CellContents FindCellContents(const PackShare& pack, double edge)
+CellContents FindCellContents(const PackTotals& pack, double edge)
 {
   return MakeContents(pack, edge * edge * edge / pack.Observed.Volume());
 }
 
-CellContents FindCellContents(const PackShare& pack, int spheres)
+CellContents FindCellContents(const PackTotals& pack, int spheres)
 {
   const auto total = [&](double share)
   {

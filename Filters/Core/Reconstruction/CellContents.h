@@ -26,11 +26,11 @@ struct CellContents
  * Throws std::invalid_argument when a mode would have no sphere in the cell, or when h_c leaves no
  * room for the largest.
  */
-CellContents FindCellContents(const PackShare& pack, double edge);
+CellContents FindCellContents(const PackTotals& pack, double edge);
 
 /** The same for a cell of `spheres` spheres in all; where rounding makes that number impossible, of
  * the next one above. */
-CellContents FindCellContents(const PackShare& pack, int spheres);
+CellContents FindCellContents(const PackTotals& pack, int spheres);
 
 /** F1, equation (11), of a cell of the given edge. */
 double OnePointDifference(

@@ -9,8 +9,6 @@
 #include "Text.h"
 #include "VectorClones.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,7 +19,6 @@ namespace ruc
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr std::size_t ChunkOfCentres = 64;
 // Directions are taken so many at a time that the sums of a thread stay below this, 24 MB
 constexpr std::size_t MostSums = 1 << 20;
 
@@ -103,33 +100,14 @@ public:
       n.Z.push_back(directions[d][2]);
     }
     const std::size_t size = (count + 1) * this->SumsOfDirection();
-    std::vector<std::int64_t> sums(2 * size, 0);
-    const std::size_t centres = this->Pairs.Pairs.Size();
-    const std::int64_t chunks =
-      static_cast<std::int64_t>((centres + ChunkOfCentres - 1) / ChunkOfCentres);
-#pragma omp parallel
-    {
-      FixedPointSums own(size);
-      std::vector<double> along(count), across2(count);
-#pragma omp for schedule(dynamic) nowait
-      for (std::int64_t chunk = 0; chunk < chunks; ++chunk)
-      {
-        const std::size_t end = std::min((chunk + 1) * ChunkOfCentres, centres);
-        for (std::size_t i = chunk * ChunkOfCentres; i < end; i += this->Pairs.Step)
+    const auto part = [&](double done) { progress((first + done * count) / directions.size()); };
+    const std::vector<std::int64_t> sums =
+      this->Pairs.Sum(size, ranks, progress ? std::function<void(double)>(part) : nullptr,
+        [&](std::size_t begin, std::size_t end, std::int64_t* own)
         {
-          this->Add(i, std::min(i + this->Pairs.Step, end), n, along.data(), across2.data(),
-            own.Take(this->Pairs.Terms));
-        }
-        if (progress && omp_get_thread_num() == 0)
-        {
-          progress((first + double(chunk) / chunks * count) / directions.size());
-        }
-      }
-      const std::vector<std::int64_t>& wide = own.Finish();
-#pragma omp critical
-      std::transform(wide.begin(), wide.end(), sums.begin(), sums.begin(), std::plus<>());
-    }
-    ranks.Sum(sums.data(), sums.size());
+          std::vector<double> along(count), across2(count);
+          this->Add(begin, end, n, along.data(), across2.data(), own);
+        });
     std::vector<double> values(size);
     for (std::size_t v = 0; v < size; ++v)
     {

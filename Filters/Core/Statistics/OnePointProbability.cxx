@@ -6,12 +6,12 @@
 
 namespace ruc
 {
-std::vector<double> OnePointProbability(const PackShare& share)
+std::vector<double> OnePointProbability(const PackTotals& pack)
 {
   std::vector<double> fractions;
-  for (double volume : share.Volume)
+  for (double volume : pack.Volume)
   {
-    fractions.push_back(volume / share.Observed.Volume());
+    fractions.push_back(volume / pack.Observed.Volume());
   }
   fractions.push_back(1.0 - std::accumulate(fractions.begin(), fractions.end(), 0.0));
   return fractions;

@@ -13,5 +13,5 @@ namespace ruc
  * centres in the window over that of the window, c_m = 1 - sum c_r. Of the whole pack, the same on
  * every rank.
  */
-std::vector<double> OnePointProbability(const PackShare& share);
+std::vector<double> OnePointProbability(const PackTotals& pack);
 }

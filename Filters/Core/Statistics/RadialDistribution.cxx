@@ -7,8 +7,6 @@
 #include "Statistics/WeightedPairs.h"
 #include "Text.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,8 +16,6 @@ namespace ruc
 {
 namespace
 {
-constexpr std::size_t ChunkOfCentres = 64;
-
 void CheckReach(const LagGrid& lags, const Window& window)
 {
   // r_K + Spacing / 2 = r_K (1 + 1 / 2K) is the last distance
@@ -52,41 +48,19 @@ RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGr
 
   const WeightedPairs pairs(share, (lags.Count + 0.5) * lags.Spacing, ranks, "MaximumLag");
   const std::size_t size = result.Values.size() * bins;
-  std::vector<std::int64_t> sums(2 * size, 0);
-  const std::size_t centres = pairs.Pairs.Size();
-  const std::int64_t chunks =
-    static_cast<std::int64_t>((centres + ChunkOfCentres - 1) / ChunkOfCentres);
-#pragma omp parallel
-  {
-    FixedPointSums own(size);
-#pragma omp for schedule(dynamic) nowait
-    for (std::int64_t chunk = 0; chunk < chunks; ++chunk)
+  const std::vector<std::int64_t> sums = pairs.Sum(size, ranks, progress,
+    [&](std::size_t begin, std::size_t end, std::int64_t* own)
     {
-      const std::size_t end = std::min((chunk + 1) * ChunkOfCentres, centres);
-      for (std::size_t i = chunk * ChunkOfCentres; i < end; i += pairs.Step)
-      {
-        std::int64_t* partial = own.Take(pairs.Terms);
-        pairs.ForEach(i, std::min(i + pairs.Step, end),
-          [&](std::size_t a, const PairNeighbourhood::Part& part, std::size_t b, const Vector3&,
-            double d2, double weight)
-          {
-            const std::size_t bin = static_cast<std::size_t>(std::sqrt(d2) / lags.Spacing + 0.5);
-            const int pair = result.PairOf(share.Own.Mode[a] - 1, part.Pack.Mode[b] - 1);
-            // the last bin's border may be rounded up
-            partial[pair * bins + std::min(bin, bins - 1)] +=
-              RoundToFixedPoint(pairs.Scale * weight);
-          });
-      }
-      if (progress && omp_get_thread_num() == 0)
-      {
-        progress(double(chunk) / chunks);
-      }
-    }
-    const std::vector<std::int64_t>& wide = own.Finish();
-#pragma omp critical
-    std::transform(wide.begin(), wide.end(), sums.begin(), sums.begin(), std::plus<>());
-  }
-  ranks.Sum(sums.data(), sums.size());
+      pairs.ForEach(begin, end,
+        [&](std::size_t a, const PairNeighbourhood::Part& part, std::size_t b, const Vector3&,
+          double d2, double weight)
+        {
+          const std::size_t bin = static_cast<std::size_t>(std::sqrt(d2) / lags.Spacing + 0.5);
+          const int pair = result.PairOf(share.Own.Mode[a] - 1, part.Pack.Mode[b] - 1);
+          // the last bin's border may be rounded up
+          own[pair * bins + std::min(bin, bins - 1)] += RoundToFixedPoint(pairs.Scale * weight);
+        });
+    });
 
   const double volume = share.Observed.Volume();
   for (std::size_t k = 0; k < bins; ++k)

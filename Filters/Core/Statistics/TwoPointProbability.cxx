@@ -167,7 +167,6 @@ public:
     , Lags(lags)
     , Pairs(share, cutoff, ranks)
   {
-    this->Totals.Own = {}; // it is the first part of the pairs
     const Window& window = share.Observed;
     const double heaviest =
       window.IsFullyPeriodic() ? 1.0 : window.Volume() / LeastSetCovariance(window, cutoff);
@@ -217,7 +216,7 @@ public:
     return result;
   }
 
-  PackShare Totals; // without the spheres
+  PackTotals Totals;
   LagGrid Lags;
   PairNeighbourhood Pairs;
   double Scale; // twice the weight of a pair is at most 2^TermBits

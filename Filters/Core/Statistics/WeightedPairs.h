@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "FixedPointSums.h"
 #include "Geometry/PairNeighbourhood.h"
+
+#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <vector>
 
 namespace ruc
 {
@@ -52,6 +57,44 @@ public:
             this->Periodic ? 1.0 : this->Volume / this->Observed.SetCovariance(dx, dy, dz));
         }
       });
+  }
+
+  /**
+   * Collective: `size` numbers summed over the own centres of all ranks, two limbs each
+   * (WideValue). add(begin, end, sums) adds those of the places [begin, end) on any thread;
+   * `progress` is told the share that is done, on the calling thread.
+   */
+  template <class Add>
+  std::vector<std::int64_t> Sum(std::size_t size, Communicator& ranks,
+    const std::function<void(double)>& progress, Add&& add) const
+  {
+    constexpr std::size_t chunkOfCentres = 64;
+    std::vector<std::int64_t> sums(2 * size, 0);
+    const std::size_t centres = this->Pairs.Size();
+    const std::int64_t chunks =
+      static_cast<std::int64_t>((centres + chunkOfCentres - 1) / chunkOfCentres);
+#pragma omp parallel
+    {
+      FixedPointSums own(size);
+#pragma omp for schedule(dynamic) nowait
+      for (std::int64_t chunk = 0; chunk < chunks; ++chunk)
+      {
+        const std::size_t end = std::min((chunk + 1) * chunkOfCentres, centres);
+        for (std::size_t i = chunk * chunkOfCentres; i < end; i += this->Step)
+        {
+          add(i, std::min(i + this->Step, end), own.Take(this->Terms));
+        }
+        if (progress && omp_get_thread_num() == 0)
+        {
+          progress(double(chunk) / chunks);
+        }
+      }
+      const std::vector<std::int64_t>& wide = own.Finish();
+#pragma omp critical
+      std::transform(wide.begin(), wide.end(), sums.begin(), sums.begin(), std::plus<>());
+    }
+    ranks.Sum(sums.data(), sums.size());
+    return sums;
   }
 
 private:
