@@ -70,6 +70,11 @@ public:
   LineBundle ParallelLinesAlong(const Vector3& direction, std::uint32_t set, std::uint32_t seed,
     std::uint32_t sample, double number, double maximumLag) const;
 
+  /** Replaces `inside` by the parts of start + t direction, 0 <= t <= length, that are inside,
+   * ascending; `direction` has length 1. A periodic box is clipped at its faces, too. */
+  void Clip(const Vector3& start, const Vector3& direction, double length,
+    std::vector<LineInterval>& inside) const;
+
   /** No line is longer than this, gaps included. */
   double LongestLine(double maximumLag) const;
 
@@ -88,9 +93,6 @@ private:
   double GridSpacing(double number) const;
   LineBundle PeriodicLines(const Vector3& direction, const std::array<double, 3>& shift,
     double number, double maximumLag) const;
-  // Replaces `inside` by the parts of start + t direction, 0 <= t <= length, that are inside
-  void Clip(const Vector3& start, const Vector3& direction, double length,
-    std::vector<LineInterval>& inside) const;
 
   Window Shape; // after the margin; of a mask its bounds
   std::optional<VoxelMask> Mask;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/TemplateSampling.h"
 
+#include "Geometry/RayFan.h"
 #include "Geometry/SphereGrid.h"
 
 #include <algorithm>
@@ -14,29 +15,8 @@ namespace ruc
 namespace
 {
 constexpr SampleNames Throws = { "NumberOfThrows", "throws" };
-constexpr double Pi = 3.14159265358979323846;
 constexpr std::int32_t OutsideRegion = -1;
 constexpr int MostThrowsInBatch = 32;
-
-// The directions of the rays: a great circle across the throw's isotropic direction
-void FindRays(std::uint32_t seed, std::uint32_t sample, std::array<Vector3, NumberOfRays>& rays)
-{
-  const Vector3 n = SamplingRegion::RandomDirection(seed, sample);
-  const double turn = 2.0 * Pi * SamplingRegion::RandomTurn(seed, sample);
-  // Two directions across n, by the axis z is far from or near to
-  const Vector3 a =
-    std::abs(n[2]) < 0.7 ? Vector3{ n[1], -n[0], 0.0 } : Vector3{ 0.0, n[2], -n[1] };
-  const double norm = 1.0 / std::hypot(a[0], a[1], a[2]);
-  const Vector3 u = { a[0] * norm, a[1] * norm, a[2] * norm };
-  const Vector3 v = { n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2],
-    n[0] * u[1] - n[1] * u[0] };
-  for (int ray = 0; ray < NumberOfRays; ++ray)
-  {
-    const double angle = turn + 2.0 * Pi * ray / NumberOfRays;
-    const double c = std::cos(angle), s = std::sin(angle);
-    rays[ray] = { c * u[0] + s * v[0], c * u[1] + s * v[1], c * u[2] + s * v[2] };
-  }
-}
 
 Vector3 Wrapped(Vector3 point, const Window& box)
 {
@@ -54,6 +34,7 @@ SampledTwoPoint SampleTemplate(const SpherePack& own, int modes, const SamplingR
 {
   CheckSampling(settings, Throws, modes, lags, region);
   const SphereGrid grid(own, region.GetBounds());
+  const RayDirections rays(NumberOfRays);
   const int throwsInBatch = SamplesInBatch(settings, MostThrowsInBatch);
   const int size = communicator.Size(), phases = modes + 1;
   SampledSums sums(modes, lags, static_cast<double>(throwsInBatch) * NumberOfRays);
@@ -79,12 +60,12 @@ SampledTwoPoint SampleTemplate(const SpherePack& own, int modes, const SamplingR
     {
       const auto sample = static_cast<std::uint32_t>(first + n);
       std::int32_t* place = &found[n * points];
-      const Vector3 centre = region.RandomPoint(settings.Seed, sample);
+      const RayFan fan = RayFan::Random(region, settings.Seed, sample);
+      const Vector3& centre = fan.Centre;
       *place++ = lookUp(centre);
-      std::array<Vector3, NumberOfRays> rays;
-      FindRays(settings.Seed, sample, rays);
-      for (const Vector3& ray : rays)
+      for (int i = 0; i < NumberOfRays; ++i)
       {
+        const Vector3 ray = rays.Of(fan, i);
         for (int k = 1; k <= lags.Count; ++k)
         {
           const double r = k * lags.Spacing;
