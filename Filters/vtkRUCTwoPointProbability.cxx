@@ -3,6 +3,7 @@
 #include "vtkRUCTwoPointProbability.h"
 
 #include "Geometry/Directions.h"
+#include "ImageSlab.h"
 #include "PackData.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
@@ -15,14 +16,10 @@
 #include "TwoPointSum.h"
 #include "TwoPointTables.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkExtentTranslator.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
@@ -325,38 +322,14 @@ void vtkRUCTwoPointProbability::FillMap(const PackData::SharedPack& pack,
       }
     });
 
-  // The map is the same on all ranks; each gives out the slab that ParaView expects of it
-  const int whole[6] = { -n, n, -n, n, -n, n };
-  int slab[6];
-  vtkNew<vtkExtentTranslator> translator;
-  translator->PieceToExtentThreadSafe(ranks.Rank(), ranks.Size(), 0, const_cast<int*>(whole), slab,
-    vtkExtentTranslator::BLOCK_MODE, 0);
-  vtkImageData* image = vtkImageData::GetData(outputs, MAP);
-  image->SetExtent(slab);
-  image->SetOrigin(0.0, 0.0, 0.0);
-  image->SetSpacing(spacing, spacing, spacing);
+  // The map is the same on all ranks
+  ImageSlab slab(vtkImageData::GetData(outputs, MAP), { -n, n, -n, n, -n, n },
+    { spacing, spacing, spacing }, ranks);
   const ruc::TwoPointProbability names(pack.Share.NumberOfModes(), { 1.0, 0 });
   for (std::size_t p = 0; p < pairs.size(); ++p)
   {
-    vtkNew<vtkDoubleArray> values;
-    values->SetName(PackData::PairName(names, pairs[p][0], pairs[p][1]).c_str());
-    values->SetNumberOfValues(image->GetNumberOfPoints());
-    vtkIdType place = 0;
-    for (int k = slab[4]; k <= slab[5]; ++k)
-    {
-      for (int j = slab[2]; j <= slab[3]; ++j)
-      {
-        for (int i = slab[0]; i <= slab[1]; ++i)
-        {
-          values->SetValue(place++, map.Values[p][map.PlaceOf(i, j, k)]);
-        }
-      }
-    }
-    image->GetPointData()->AddArray(values);
-    if (p == 0)
-    {
-      image->GetPointData()->SetActiveScalars(values->GetName());
-    }
+    slab.AddArray(PackData::PairName(names, pairs[p][0], pairs[p][1]),
+      [&](int i, int j, int k) { return map.Values[p][map.PlaceOf(i, j, k)]; });
   }
   outputs->GetInformationObject(MAP)->Set(vtkDataObject::SPACING(), spacing, spacing, spacing);
 }

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImageSlab.h"
+
+#include "RankCommunicator.h"
+
+#include "vtkExtentTranslator.h"
+#include "vtkNew.h"
+
+ImageSlab::ImageSlab(vtkImageData* image, const std::array<int, 6>& whole,
+  const std::array<double, 3>& spacing, const RankCommunicator& ranks)
+  : Image(image)
+{
+  std::array<int, 6> of = whole;
+  int extent[6];
+  vtkNew<vtkExtentTranslator> translator;
+  translator->PieceToExtentThreadSafe(
+    ranks.Rank(), ranks.Size(), 0, of.data(), extent, vtkExtentTranslator::BLOCK_MODE, 0);
+  image->SetExtent(extent);
+  image->SetOrigin(0.0, 0.0, 0.0);
+  image->SetSpacing(spacing.data());
+}
+
+vtkDoubleArray* ImageSlab::NewArray(const std::string& name)
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetName(name.c_str());
+  values->SetNumberOfValues(this->Image->GetNumberOfPoints());
+  vtkPointData* points = this->Image->GetPointData();
+  points->AddArray(values); // which keeps it
+  if (!points->GetScalars())
+  {
+    points->SetActiveScalars(name.c_str());
+  }
+  return values;
+}
