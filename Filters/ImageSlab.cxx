@@ -6,10 +6,10 @@
 
 #include "vtkExtentTranslator.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
-ImageSlab::ImageSlab(vtkImageData* image, const std::array<int, 6>& whole,
+void ImageSlab::SetExtent(vtkImageData* image, const std::array<int, 6>& whole,
   const std::array<double, 3>& spacing, const RankCommunicator& ranks)
-  : Image(image)
 {
   std::array<int, 6> of = whole;
   int extent[6];
@@ -21,12 +21,12 @@ ImageSlab::ImageSlab(vtkImageData* image, const std::array<int, 6>& whole,
   image->SetSpacing(spacing.data());
 }
 
-vtkDoubleArray* ImageSlab::NewArray(const std::string& name)
+vtkDoubleArray* ImageSlab::NewArray(vtkImageData* image, const std::string& name)
 {
   vtkNew<vtkDoubleArray> values;
   values->SetName(name.c_str());
-  values->SetNumberOfValues(this->Image->GetNumberOfPoints());
-  vtkPointData* points = this->Image->GetPointData();
+  values->SetNumberOfValues(image->GetNumberOfPoints());
+  vtkPointData* points = image->GetPointData();
   points->AddArray(values); // which keeps it
   if (!points->GetScalars())
   {

@@ -4,36 +4,29 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
-#include "vtkPointData.h"
 
 #include <array>
 #include <string>
 
 class RankCommunicator;
 
-/** The part of an image that ParaView expects of a rank. */
-class ImageSlab
+/** Images of which every rank has the part that ParaView expects of it. */
+namespace ImageSlab
 {
-public:
-  /** Gives the image its extent on this rank, of the `whole` one, its spacing and the origin 0. */
-  ImageSlab(vtkImageData* image, const std::array<int, 6>& whole,
-    const std::array<double, 3>& spacing, const RankCommunicator& ranks);
+/** Gives the image its extent on this rank, of the `whole` one, its spacing and the origin 0. */
+void SetExtent(vtkImageData* image, const std::array<int, 6>& whole,
+  const std::array<double, 3>& spacing, const RankCommunicator& ranks);
 
-  /** Adds a point array; value(i, j, k) are its numbers. The first becomes the active scalars. */
-  template <class Value>
-  void AddArray(const std::string& name, Value&& value);
+/** A new point array with a number for every point, not yet set. The first one of an image becomes
+ * its active scalars. */
+vtkDoubleArray* NewArray(vtkImageData* image, const std::string& name);
 
-private:
-  vtkDoubleArray* NewArray(const std::string& name);
-
-  vtkImageData* Image;
-};
-
+/** Adds a point array of the numbers value(i, j, k). */
 template <class Value>
-void ImageSlab::AddArray(const std::string& name, Value&& value)
+void AddArray(vtkImageData* image, const std::string& name, Value&& value)
 {
-  vtkDoubleArray* values = this->NewArray(name);
-  const int* extent = this->Image->GetExtent();
+  vtkDoubleArray* values = NewArray(image, name);
+  const int* extent = image->GetExtent();
   vtkIdType place = 0;
   for (int k = extent[4]; k <= extent[5]; ++k)
   {
@@ -45,4 +38,5 @@ void ImageSlab::AddArray(const std::string& name, Value&& value)
       }
     }
   }
+}
 }

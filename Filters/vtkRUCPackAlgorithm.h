@@ -11,21 +11,12 @@
  * (`BoxOrigin`, `BoxSize`, `BoxPeriodic`, or `CylinderBase`, `CylinderAxis`, `CylinderRadius`,
  * `CylinderHeight`), else from the properties of the same names, else it is the box of the centres'
  * bounds. All lengths are in the pack's unit.
- *
- * Whatever is wrong with the input or a property is found on all ranks alike, reported once, and
- * leaves every output empty; no rank hangs.
  */
 #ifndef vtkRUCPackAlgorithm_h
 #define vtkRUCPackAlgorithm_h
 
-#include "RUCFiltersModule.h"
-#include "vtkDataObjectAlgorithm.h"
+#include "vtkRUCParallelAlgorithm.h"
 
-#include <string>
-#include <vector>
-
-class RankCommunicator;
-class vtkMultiProcessController;
 class vtkPointSet;
 
 namespace PackData
@@ -33,10 +24,10 @@ namespace PackData
 struct WindowProperties;
 }
 
-class RUCFILTERS_EXPORT vtkRUCPackAlgorithm : public vtkDataObjectAlgorithm
+class RUCFILTERS_EXPORT vtkRUCPackAlgorithm : public vtkRUCParallelAlgorithm
 {
 public:
-  vtkTypeMacro(vtkRUCPackAlgorithm, vtkDataObjectAlgorithm);
+  vtkTypeMacro(vtkRUCPackAlgorithm, vtkRUCParallelAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -70,37 +61,19 @@ public:
   vtkGetMacro(CropToWindow, bool);
   ///@}
 
-  ///@{
-  /** The ranks that work together; the global controller unless set. */
-  virtual void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController() const { return this->Controller; }
-  ///@}
-
 protected:
-  vtkRUCPackAlgorithm();
-  ~vtkRUCPackAlgorithm() override;
+  vtkRUCPackAlgorithm() = default;
+  ~vtkRUCPackAlgorithm() override = default;
 
-  /** The name that error messages and progress carry: the label in the menu. */
-  virtual const char* GetLabel() const = 0;
-
-  /**
-   * Fills the outputs, on all ranks together. Throws std::invalid_argument, the same on every rank,
-   * for bad input. The outputs are empty at the start and are emptied again after an error.
-   */
+  /** The same for the pack, vtkRUCParallelAlgorithm::Execute. */
   virtual void Execute(
     vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) = 0;
+  void Execute(
+    vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks) override;
 
   PackData::WindowProperties GetWindowProperties() const;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
-  int RequestUpdateExtent(
-    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestData(
-    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) final;
 
 private:
   vtkRUCPackAlgorithm(const vtkRUCPackAlgorithm&) = delete;
@@ -114,7 +87,6 @@ private:
   double CylinderRadius = 0.0;
   double CylinderHeight = 0.0;
   bool CropToWindow = false;
-  vtkMultiProcessController* Controller = nullptr;
 };
 
 #endif

@@ -183,18 +183,19 @@ void vtkRUCThreePointProbability::FillImage(const ruc::ThreePointProbability& pr
   vtkInformationVector* outputs, const RankCommunicator& ranks) const
 {
   const ruc::ThreePointGrid& grid = probability.GetGrid();
-  const double spacing = grid.Lags.Spacing, step = 360.0 / grid.Directions;
-  ImageSlab slab(vtkImageData::GetData(outputs, PROBABILITIES),
-    { 0, grid.Lags.Count, 0, grid.Lags.Count, 0, grid.Angles() - 1 }, { spacing, spacing, step },
-    ranks);
+  const double spacing = grid.Lags.Spacing, step = grid.Angle(1);
+  vtkImageData* image = vtkImageData::GetData(outputs, PROBABILITIES);
+  ImageSlab::SetExtent(image, { 0, grid.Lags.Count, 0, grid.Lags.Count, 0, grid.Angles() - 1 },
+    { spacing, spacing, step }, ranks);
   for (std::size_t n = 0; n < probability.GetTriples().size(); ++n)
   {
     const std::string name = ruc::TripleName(probability.GetTriples()[n], probability.GetModes());
-    slab.AddArray(name, [&](int i, int j, int t) { return probability.Value(n, i, j, t); });
+    ImageSlab::AddArray(
+      image, name, [&](int i, int j, int t) { return probability.Value(n, i, j, t); });
     if (probability.HasErrors())
     {
-      slab.AddArray(
-        name + "_error", [&](int i, int j, int t) { return probability.Error(n, i, j, t); });
+      ImageSlab::AddArray(
+        image, name + "_error", [&](int i, int j, int t) { return probability.Error(n, i, j, t); });
     }
   }
   outputs->GetInformationObject(PROBABILITIES)

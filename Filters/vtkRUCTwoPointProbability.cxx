@@ -323,12 +323,12 @@ void vtkRUCTwoPointProbability::FillMap(const PackData::SharedPack& pack,
     });
 
   // The map is the same on all ranks
-  ImageSlab slab(vtkImageData::GetData(outputs, MAP), { -n, n, -n, n, -n, n },
-    { spacing, spacing, spacing }, ranks);
+  vtkImageData* image = vtkImageData::GetData(outputs, MAP);
+  ImageSlab::SetExtent(image, { -n, n, -n, n, -n, n }, { spacing, spacing, spacing }, ranks);
   const ruc::TwoPointProbability names(pack.Share.NumberOfModes(), { 1.0, 0 });
   for (std::size_t p = 0; p < pairs.size(); ++p)
   {
-    slab.AddArray(PackData::PairName(names, pairs[p][0], pairs[p][1]),
+    ImageSlab::AddArray(image, PackData::PairName(names, pairs[p][0], pairs[p][1]),
       [&](int i, int j, int k) { return map.Values[p][map.PlaceOf(i, j, k)]; });
   }
   outputs->GetInformationObject(MAP)->Set(vtkDataObject::SPACING(), spacing, spacing, spacing);

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRUCParallelAlgorithm.h"
+
+#include "RankCommunicator.h"
+
+#include "vtkDataObjectTypes.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+vtkCxxSetObjectMacro(vtkRUCParallelAlgorithm, Controller, vtkMultiProcessController);
+
+vtkRUCParallelAlgorithm::vtkRUCParallelAlgorithm()
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkRUCParallelAlgorithm::~vtkRUCParallelAlgorithm()
+{
+  this->SetController(nullptr);
+}
+
+int vtkRUCParallelAlgorithm::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    const char* type = this->GetOutputPortInformation(port)->Get(vtkDataObject::DATA_TYPE_NAME());
+    vtkInformation* info = outputs->GetInformationObject(port);
+    vtkDataObject* present = info->Get(vtkDataObject::DATA_OBJECT());
+    if (!present || !present->IsA(type))
+    {
+      info->Set(vtkDataObject::DATA_OBJECT(),
+        vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type)));
+    }
+  }
+  return 1;
+}
+
+int vtkRUCParallelAlgorithm::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    outputs->GetInformationObject(port)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+  }
+  return 1;
+}
+
+int vtkRUCParallelAlgorithm::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  // One request for all ports, whichever was asked: else the filter runs once a port on more than
+  // one rank.
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const RankCommunicator ranks(this->Controller);
+  const auto request = [&](vtkInformation* info)
+  {
+    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), ranks.Rank());
+    info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), ranks.Size());
+    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  };
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    request(outputs->GetInformationObject(port));
+  }
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int n = 0; n < inputs[port]->GetNumberOfInformationObjects(); ++n)
+    {
+      request(inputs[port]->GetInformationObject(n));
+    }
+  }
+  return 1;
+}
+
+int vtkRUCParallelAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const auto clear = [&]()
+  {
+    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+    {
+      outputs->GetInformationObject(port)->Get(vtkDataObject::DATA_OBJECT())->Initialize();
+    }
+  };
+  clear();
+  RankCommunicator ranks(this->Controller);
+  try
+  {
+    this->Execute(inputs, outputs, ranks);
+  }
+  catch (const std::exception& e)
+  {
+    // Bad input is found on all ranks alike. What else fails, such as memory, may fail on one
+    // alone; then only ending the job keeps the others from waiting for ever.
+    if (ranks.Size() > 1 && !dynamic_cast<const std::invalid_argument*>(&e))
+    {
+      vtkErrorMacro(<< this->GetLabel() << ": rank " << ranks.Rank()
+                    << " cannot go on: " << e.what());
+      throw;
+    }
+    // Empty outputs rather than a failed request, after which the filters downstream would keep
+    // their former results
+    clear();
+    if (ranks.Rank() == 0)
+    {
+      vtkErrorMacro(<< this->GetLabel() << ": " << e.what());
+    }
+  }
+  return 1;
+}
+
+void vtkRUCParallelAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller << "\n";
+}
