@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRUCCompareProbabilities.h"
 
+#include "ComparisonTables.h"
 #include "FixedPoint.h"
 #include "ImageSlab.h"
 #include "PackData.h"
@@ -35,109 +36,6 @@ enum Ports
   CURVES = 1,
   DIFFERENCES = 2
 };
-
-// The rows of output 0
-class Rows
-{
-public:
-  void Add(const std::string& quantity, double pack, double cell, double difference, double largest,
-    double percent, double deviation)
-  {
-    this->Quantity.push_back(quantity);
-    this->Numbers[0].push_back(pack);
-    this->Numbers[1].push_back(cell);
-    this->Numbers[2].push_back(difference);
-    this->Numbers[3].push_back(largest);
-    this->Numbers[4].push_back(percent);
-    this->Numbers[5].push_back(deviation);
-  }
-  void Fill(vtkTable* table, bool withDeviations) const
-  {
-    const char* names[] = { "Pack", "Cell", "Difference", "LargestDifference", "Percent",
-      "StandardDeviation" };
-    PackData::AddColumn(table, "Quantity", this->Quantity);
-    for (int n = 0; n < (withDeviations ? 6 : 5); ++n)
-    {
-      PackData::AddColumn(table, names[n], this->Numbers[n]);
-    }
-  }
-
-private:
-  std::vector<std::string> Quantity;
-  std::vector<double> Numbers[6];
-};
-
-double Percent(double difference, double pack, double cell)
-{
-  const double mean = 0.5 * (pack + cell);
-  return mean > 0.0 ? difference / mean * 100.0 : 0.0;
-}
-
-double LargestDifference(const std::vector<double>& a, const std::vector<double>& b)
-{
-  double largest = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k)
-  {
-    largest = std::max(largest, std::abs(a[k] - b[k]));
-  }
-  return largest;
-}
-
-void FillRows(const ruc::TwoPointProbability& pack, const ruc::MeanProbability& cells, Rows& rows)
-{
-  const ruc::TwoPointProbability& cell = cells.Mean;
-  const ruc::ProbabilityComparison comparison = ruc::CompareProbabilities(pack, cell);
-  for (int phase = 0; phase < pack.Phases(); ++phase)
-  {
-    const double a = pack.Fractions[phase], b = cell.Fractions[phase];
-    const double difference = std::abs(a - b);
-    rows.Add("c_" + pack.PhaseName(phase), a, b, difference, difference,
-      phase < pack.Modes ? comparison.FractionPercent[phase] : Percent(difference, a, b),
-      cells.FractionDeviations[phase]);
-  }
-  double sums[4] = { 0.0, 0.0, 0.0, 0.0 }, largest = 0.0;
-  for (int r = 0; r < pack.Phases(); ++r)
-  {
-    for (int s = r; s < pack.Phases(); ++s)
-    {
-      const double norms[] = { ruc::DiscreteNorm(pack.S(r, s)), ruc::DiscreteNorm(cell.S(r, s)),
-        ruc::NormOfDifference(pack.S(r, s), cell.S(r, s)),
-        ruc::DiscreteNorm(cells.Deviations[pack.PairOf(r, s)]) };
-      const double most = LargestDifference(pack.S(r, s), cell.S(r, s));
-      rows.Add(PackData::PairName(pack, r, s), norms[0], norms[1], norms[2], most,
-        Percent(norms[2], norms[0], norms[1]), norms[3]);
-      for (int n = 0; n < 4; ++n)
-      {
-        sums[n] += (r == s ? 1.0 : 2.0) * norms[n];
-      }
-      largest = std::max(largest, most);
-    }
-  }
-  rows.Add("all", sums[0], sums[1], sums[2], largest, comparison.Percent, sums[3]);
-}
-
-void FillCurves(const ruc::TwoPointProbability& pack, const ruc::MeanProbability& cells,
-  bool several, vtkTable* table)
-{
-  PackData::AddLags(table, pack.Lags);
-  for (int r = 0; r < pack.Phases(); ++r)
-  {
-    for (int s = r; s < pack.Phases(); ++s)
-    {
-      const std::string name = PackData::PairName(pack, r, s);
-      const std::vector<double>&a = pack.S(r, s), &b = cells.Mean.S(r, s);
-      std::vector<double> difference(a.size());
-      std::transform(a.begin(), a.end(), b.begin(), difference.begin(), std::minus<>());
-      PackData::AddColumn(table, name + "_pack", a);
-      PackData::AddColumn(table, name + "_cell", b);
-      PackData::AddColumn(table, name + "_difference", difference);
-      if (several)
-      {
-        PackData::AddColumn(table, name + "_deviation", cells.Deviations[pack.PairOf(r, s)]);
-      }
-    }
-  }
-}
 
 void RequireSameGrid(const ruc::TwoPointProbability& a, const ruc::TwoPointProbability& b)
 {
@@ -250,10 +148,9 @@ void vtkRUCCompareProbabilities::CompareTables(
   const ruc::MeanProbability mean = ruc::AverageProbabilities(cells);
   if (ranks.Rank() == 0)
   {
-    Rows rows;
-    FillRows(pack, mean, rows);
-    rows.Fill(vtkTable::GetData(outputs, COMPARISON), cells.size() > 1);
-    FillCurves(pack, mean, cells.size() > 1, vtkTable::GetData(outputs, CURVES));
+    const bool several = cells.size() > 1;
+    ComparisonTables::FillComparison(pack, mean, several, vtkTable::GetData(outputs, COMPARISON));
+    ComparisonTables::FillCurves(pack, mean, several, vtkTable::GetData(outputs, CURVES));
   }
   PackData::AddField(vtkTable::GetData(outputs, COMPARISON), "DifferencePercent",
     std::vector<double>{ ruc::CompareProbabilities(pack, mean.Mean).Percent });
@@ -294,7 +191,7 @@ void vtkRUCCompareProbabilities::CompareImages(vtkImageData* pack, vtkImageData*
     return (i < extent[1] || i == whole[1]) && (j < extent[3] || j == whole[3]) &&
       (k < extent[5] || k == whole[5]);
   };
-  Rows rows;
+  ComparisonTables::Rows rows;
   double sums[3] = { 0.0, 0.0, 0.0 }, largestOfAll = 0.0;
   for (int n = 0; n < pack->GetPointData()->GetNumberOfArrays(); ++n)
   {
@@ -335,19 +232,21 @@ void vtkRUCCompareProbabilities::CompareImages(vtkImageData* pack, vtkImageData*
       norm[m] = std::sqrt(norms[m].Total(ranks));
       sums[m] += norm[m];
     }
-    rows.Add(name, norm[0], norm[1], norm[2], -negative, Percent(norm[2], norm[0], norm[1]), 0.0);
+    rows.Add(name, norm[0], norm[1], norm[2], -negative,
+      ComparisonTables::Percent(norm[2], norm[0], norm[1]), 0.0);
     largestOfAll = std::max(largestOfAll, -negative);
   }
   if (image->GetPointData()->GetNumberOfArrays() == 0)
   {
     throw std::invalid_argument("Cell requires an array of the input's names, got none.");
   }
-  rows.Add("all", sums[0], sums[1], sums[2], largestOfAll, Percent(sums[2], sums[0], sums[1]), 0.0);
+  rows.Add("all", sums[0], sums[1], sums[2], largestOfAll,
+    ComparisonTables::Percent(sums[2], sums[0], sums[1]), 0.0);
   if (ranks.Rank() == 0)
   {
     rows.Fill(vtkTable::GetData(outputs, COMPARISON), false);
   }
   PackData::AddField(vtkTable::GetData(outputs, COMPARISON), "DifferencePercent",
-    std::vector<double>{ Percent(sums[2], sums[0], sums[1]) });
+    std::vector<double>{ ComparisonTables::Percent(sums[2], sums[0], sums[1]) });
   outputs->GetInformationObject(DIFFERENCES)->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
 }

@@ -122,7 +122,7 @@ TEST(CellContents, EveryModeNeedsASphere)
 {
   const ruc::SpherePack pack = oracle::RandomPack({ 400, 150, 3 }, { 0.4, 0.8, 1.3 }, Block, 17);
   EXPECT_SAYS(ruc::FindCellContents(ruc::SharePack(pack, Block), 8.0),
-    "none of mode 3 (3 of the pack's 553 spheres");
+    "none of mode 3 (0.1024 in a cell of this size)");
   EXPECT_SAYS(ruc::FindCellContents(ruc::SharePack(pack, Block), 30), "none of mode 3");
   // at twice the volume that rounds up to one sphere there is one
   EXPECT_EQ(

@@ -15,42 +15,137 @@ namespace ruc
 {
 namespace
 {
-// The nearest whole numbers to `share` of every mode's count
-std::vector<int> RoundedCounts(const PackTotals& pack, double share)
+// The nearest whole numbers of spheres in a volume
+std::vector<int> RoundedCounts(const ModeAmounts& amounts, double volume)
 {
   std::vector<int> counts;
-  for (std::int64_t count : pack.Count)
+  for (double number : amounts.Number)
   {
     counts.push_back(static_cast<int>(
-      std::lround(std::min(count * share, double(std::numeric_limits<int>::max())))));
+      std::lround(std::min(number * volume, double(std::numeric_limits<int>::max())))));
   }
   return counts;
 }
 
-CellContents MakeContents(const PackTotals& pack, double share)
+CellContents ContentsOfVolume(const ModeAmounts& amounts, double volume)
 {
-  const double windowVolume = pack.Observed.Volume();
-  CellContents contents;
-  contents.Count = RoundedCounts(pack, share);
-  double numerator = 0.0;
-  double denominator = 0.0;
-  for (std::size_t m = 0; m < pack.Count.size(); ++m)
+  const std::vector<int> counts = RoundedCounts(amounts, volume);
+  for (std::size_t m = 0; m < counts.size(); ++m)
   {
-    if (contents.Count[m] < 1)
+    if (counts[m] < 1)
     {
-      const std::int64_t rarest = *std::min_element(pack.Count.begin(), pack.Count.end());
+      const double rarest = *std::min_element(amounts.Number.begin(), amounts.Number.end());
       throw std::invalid_argument(
         Text("The cell requires at least one sphere of every mode, got none of mode ", m + 1, " (",
-          pack.Count[m], " of the pack's ", pack.NumberOfSpheres, " spheres, ",
-          pack.Count[m] * share, " in a cell of this size): set CellSize to ",
-          1.0001 * std::cbrt(0.5 * windowVolume / rarest), " or more, or use fewer modes."));
+          amounts.Number[m] * volume, " in a cell of this size): set CellSize to ",
+          1.0001 * std::cbrt(0.5 / rarest), " or more, or use fewer modes."));
     }
-    const double cubedRadius = pack.Volume[m] / SphereVolume(1.0) / pack.Count[m];
-    contents.Radius.push_back(std::cbrt(cubedRadius));
-    const double fraction = pack.Volume[m] / windowVolume;
-    const double volume = contents.Count[m] * cubedRadius; // n_i r_i^3
+  }
+  return FindCellContents(amounts, counts);
+}
+}
+
+ModeAmounts::ModeAmounts(const PackTotals& pack)
+{
+  for (std::size_t m = 0; m < pack.Count.size(); ++m)
+  {
+    this->Number.push_back(pack.Count[m] / pack.Observed.Volume());
+    this->Radius.push_back(std::cbrt(pack.Volume[m] / SphereVolume(1.0) / pack.Count[m]));
+  }
+}
+
+ModeAmounts::ModeAmounts(const std::vector<double>& fractions, const std::vector<double>& diameters)
+{
+  if (diameters.empty() || diameters.size() != fractions.size())
+  {
+    throw std::invalid_argument(Text("ModeDiameters requires a diameter for each of the ",
+      fractions.size(), " modes, got ", diameters.size(), "."));
+  }
+  double sum = 0.0;
+  for (std::size_t m = 0; m < fractions.size(); ++m)
+  {
+    if (!(diameters[m] > 0.0 && std::isfinite(diameters[m])))
+    {
+      throw std::invalid_argument(Text(
+        "ModeDiameters requires finite numbers > 0, got ", diameters[m], " for mode ", m + 1, "."));
+    }
+    sum += fractions[m];
+    if (!(fractions[m] > 0.0 && sum < 1.0))
+    {
+      throw std::invalid_argument(Text("Volume fractions require numbers > 0 with a sum < 1, got ",
+        fractions[m], " of mode ", m + 1, " and a sum of ", sum, "."));
+    }
+    this->Radius.push_back(0.5 * diameters[m]);
+    this->Number.push_back(fractions[m] / SphereVolume(this->Radius.back()));
+  }
+}
+
+double ModeAmounts::Fraction(int mode) const
+{
+  return this->Number[mode] * SphereVolume(this->Radius[mode]);
+}
+
+double ModeAmounts::MeanDiameter() const
+{
+  double cubes = 0.0, number = 0.0;
+  for (int m = 0; m < this->NumberOfModes(); ++m)
+  {
+    cubes += this->Number[m] * std::pow(2.0 * this->Radius[m], 3);
+    number += this->Number[m];
+  }
+  return std::cbrt(cubes / number);
+}
+
+int CellContents::NumberOfSpheres() const
+{
+  return std::accumulate(this->Count.begin(), this->Count.end(), 0);
+}
+
+CellContents FindCellContents(const ModeAmounts& amounts, double edge)
+{
+  return ContentsOfVolume(amounts, edge * edge * edge);
+}
+
+CellContents FindCellContents(const ModeAmounts& amounts, int spheres)
+{
+  const auto total = [&](double volume)
+  {
+    const std::vector<int> counts = RoundedCounts(amounts, volume);
+    return std::accumulate(counts.begin(), counts.end(), 0.0);
+  };
+  // The sum of the rounded counts grows with the volume: bisect for the least that reaches it
+  double low = 0.0;
+  double high = 2.0 * (spheres + amounts.NumberOfModes()) /
+    std::accumulate(amounts.Number.begin(), amounts.Number.end(), 0.0);
+  for (int step = 0; step < 100; ++step)
+  {
+    const double middle = 0.5 * (low + high);
+    (total(middle) < spheres ? low : high) = middle;
+  }
+  return ContentsOfVolume(amounts, high);
+}
+
+CellContents FindCellContents(const ModeAmounts& amounts, const std::vector<int>& counts)
+{
+  if (counts.size() != amounts.Number.size())
+  {
+    throw std::invalid_argument(Text("ModeCounts requires a number for each of the ",
+      amounts.Number.size(), " modes, got ", counts.size(), "."));
+  }
+  CellContents contents;
+  contents.Count = counts;
+  contents.Radius = amounts.Radius;
+  double numerator = 0.0, denominator = 0.0;
+  for (std::size_t m = 0; m < counts.size(); ++m)
+  {
+    if (counts[m] < 1)
+    {
+      throw std::invalid_argument(
+        Text("ModeCounts requires numbers >= 1, got ", counts[m], " for mode ", m + 1, "."));
+    }
+    const double volume = counts[m] * std::pow(amounts.Radius[m], 3); // n_i r_i^3
     numerator += volume * volume;
-    denominator += fraction * volume;
+    denominator += amounts.Fraction(static_cast<int>(m)) * volume;
   }
   contents.Edge = std::cbrt(SphereVolume(1.0) * numerator / denominator);
   const double diameter = 2.0 * *std::max_element(contents.Radius.begin(), contents.Radius.end());
@@ -61,35 +156,6 @@ CellContents MakeContents(const PackTotals& pack, double share)
         ", got ", contents.Edge, "."));
   }
   return contents;
-}
-}
-
-int CellContents::NumberOfSpheres() const
-{
-  return std::accumulate(this->Count.begin(), this->Count.end(), 0);
-}
-
-CellContents FindCellContents(const PackTotals& pack, double edge)
-{
-  return MakeContents(pack, edge * edge * edge / pack.Observed.Volume());
-}
-
-CellContents FindCellContents(const PackTotals& pack, int spheres)
-{
-  const auto total = [&](double share)
-  {
-    const std::vector<int> counts = RoundedCounts(pack, share);
-    return std::accumulate(counts.begin(), counts.end(), 0.0);
-  };
-  // The sum of the rounded counts grows with the share: bisect for the least share that reaches it
-  double low = 0.0;
-  double high = 2.0 * (spheres + pack.Count.size()) / pack.NumberOfSpheres;
-  for (int step = 0; step < 100; ++step)
-  {
-    const double middle = 0.5 * (low + high);
-    (total(middle) < spheres ? low : high) = middle;
-  }
-  return MakeContents(pack, high);
 }
 
 double OnePointDifference(

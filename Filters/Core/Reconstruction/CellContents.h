@@ -8,6 +8,28 @@
 
 namespace ruc
 {
+/** What a medium holds of every mode. */
+struct ModeAmounts
+{
+  std::vector<double> Number; // of spheres per unit volume
+  std::vector<double> Radius; // half the volume mean diameter d_i = (sum d^3 / N_i)^(1/3)
+
+  /** Of a pack in its window. */
+  ModeAmounts(const PackTotals& pack);
+  /**
+   * Of volume fractions and diameters. Throws std::invalid_argument unless there are as many of
+   * both (at least one of each), fractions are > 0 and add up to less than 1, and diameters are >
+   * 0.
+   */
+  ModeAmounts(const std::vector<double>& fractions, const std::vector<double>& diameters);
+
+  int NumberOfModes() const { return static_cast<int>(this->Number.size()); }
+  /** c_i. */
+  double Fraction(int mode) const;
+  /** (sum of n_i d_i^3 / sum of n_i)^(1/3) over the modes. */
+  double MeanDiameter() const;
+};
+
 /** What a cubic periodic cell is filled with, and its size. */
 struct CellContents
 {
@@ -19,18 +41,21 @@ struct CellContents
 };
 
 /**
- * The contents of the cell for a first guess h_0 of its edge: n_i = nearest whole number of N_i
- * h_0^3 / V, diameters d_i = (sum d^3 / N_i)^(1/3) over the pack's mode, and the edge h_c that
+ * The contents of the cell for a first guess h_0 of its edge: n_i = nearest whole number of the
+ * spheres of a mode in h_0^3, all of the mode's volume mean diameter, and the edge h_c that
  * minimises F1 (11), the distance between the volume fractions of pack and cell.
  *
  * Throws std::invalid_argument when a mode would have no sphere in the cell, or when h_c leaves no
  * room for the largest.
  */
-CellContents FindCellContents(const PackTotals& pack, double edge);
+CellContents FindCellContents(const ModeAmounts& amounts, double edge);
 
 /** The same for a cell of `spheres` spheres in all; where rounding makes that number impossible, of
  * the next one above. */
-CellContents FindCellContents(const PackTotals& pack, int spheres);
+CellContents FindCellContents(const ModeAmounts& amounts, int spheres);
+
+/** The same for given numbers of spheres of every mode. */
+CellContents FindCellContents(const ModeAmounts& amounts, const std::vector<int>& counts);
 
 /** F1, equation (11), of a cell of the given edge. */
 double OnePointDifference(

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/TwoPointChecks.h"
 
+#include "Text.h"
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <limits>
 
 namespace ruc
@@ -76,5 +79,47 @@ double SaturationLength(const TwoPointProbability& probability, double tolerance
     largest = std::max(largest, check.SaturationLength);
   }
   return largest;
+}
+
+void RequireProbabilities(const TwoPointProbability& probability, double tolerance)
+{
+  const auto name = [&](int r, int s)
+  { return "S_" + probability.PhaseName(r) + "_" + probability.PhaseName(s); };
+  double total = 0.0;
+  for (int r = 0; r < probability.Phases(); ++r)
+  {
+    const double fraction = probability.S(r, r)[0];
+    total += fraction;
+    if (!(fraction > 0.0))
+    {
+      throw std::invalid_argument(
+        Text("A target requires fractions > 0, got ", fraction, " for ", name(r, r), " at r = 0."));
+    }
+    for (int k = 0; k <= probability.Lags.Count; ++k)
+    {
+      double sum = 0.0;
+      for (int s = 0; s < probability.Phases(); ++s)
+      {
+        const double value = probability.S(r, s)[k];
+        sum += value;
+        if (!(value >= -tolerance && value <= 1.0 + tolerance))
+        {
+          throw std::invalid_argument(Text("A target requires probabilities from 0 to 1, got ",
+            value, " for ", name(r, s), " at r = ", k * probability.Lags.Spacing, "."));
+        }
+      }
+      if (!(std::abs(sum - fraction) <= tolerance))
+      {
+        throw std::invalid_argument(Text("A target requires that the S_", probability.PhaseName(r),
+          "_s add up to the fraction of phase ", probability.PhaseName(r), ", ", fraction,
+          ", at every lag, got ", sum, " at r = ", k * probability.Lags.Spacing, "."));
+      }
+    }
+  }
+  if (!(std::abs(total - 1.0) <= tolerance))
+  {
+    throw std::invalid_argument(
+      Text("A target requires fractions, S_rr at r = 0, that add up to 1, got ", total, "."));
+  }
 }
 }

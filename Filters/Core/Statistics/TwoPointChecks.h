@@ -39,4 +39,11 @@ double SaturationLength(
 
 /** The largest saturation length of all pairs; not a number when one of them is not reached. */
 double SaturationLength(const TwoPointProbability& probability, double tolerance, double length);
+
+/**
+ * Throws std::invalid_argument unless what is given as S_rs can be the probabilities of a medium:
+ * every value in [0, 1], the fractions (S_rr at lag 0) > 0 with the sum 1, and at every lag the sum
+ * over s of S_rs equal to c_r, to `tolerance` in every value and sum. The message names the place.
+ */
+void RequireProbabilities(const TwoPointProbability& probability, double tolerance);
 }
