@@ -112,6 +112,18 @@ std::vector<std::vector<double>> RankCommunicator::Exchange(
   return incoming;
 }
 
+std::unique_ptr<RankCommunicator> RankCommunicator::Split(int group) const
+{
+  auto part = std::make_unique<RankCommunicator>(this->Controller);
+  if (this->Size() > 1)
+  {
+    part->Own = vtkSmartPointer<vtkMultiProcessController>::Take(
+      this->Controller->PartitionController(group, this->Rank()));
+    part->Controller = part->Own;
+  }
+  return part;
+}
+
 std::string RankCommunicator::FirstText(const std::string& text)
 {
   if (this->Size() == 1)

@@ -4,9 +4,11 @@
 
 #include "Communicator.h"
 
-#include <string>
+#include "vtkMultiProcessController.h"
+#include "vtkSmartPointer.h"
 
-class vtkMultiProcessController;
+#include <memory>
+#include <string>
 
 /** The ranks of a vtkMultiProcessController; a null controller is a serial run. */
 class RankCommunicator : public ruc::Communicator
@@ -28,8 +30,13 @@ public:
   /** Collective: the text of the lowest rank where it is not empty. */
   std::string FirstText(const std::string& text);
 
+  /** Collective: the ranks with the same `group` >= 0 as a communicator of their own, in the same
+   * order. */
+  std::unique_ptr<RankCommunicator> Split(int group) const;
+
   vtkMultiProcessController* GetController() const { return this->Controller; }
 
 private:
   vtkMultiProcessController* Controller;
+  vtkSmartPointer<vtkMultiProcessController> Own; // of a group
 };
