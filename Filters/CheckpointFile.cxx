@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <vector>
 
 CheckpointFile::CheckpointFile(std::string name, double interval)
@@ -28,12 +28,14 @@ std::string CheckpointFile::Read(RankCommunicator& ranks) const
   std::string bytes, error;
   if (this->IsWanted() && ranks.Rank() == 0 && access(this->Name.c_str(), F_OK) == 0)
   {
+    std::ostringstream content;
     std::ifstream file(this->Name, std::ios::binary);
-    bytes.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-    if (!file || bytes.empty())
+    content << file.rdbuf(); // fails for an empty file, too, and for a folder
+    bytes = content.str();
+    if (bytes.empty())
     {
       error = ruc::Text("CheckpointFile requires a checkpoint or a name that is free, got '",
-        this->Name, "', which ", file ? "is empty." : "cannot be read.");
+        this->Name, "', which is empty or cannot be read.");
     }
   }
   ranks.ThrowIfAny(error);

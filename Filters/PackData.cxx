@@ -204,6 +204,13 @@ bool WindowProperties::HasCylinder() const
   return this->CylinderRadius != 0.0 || this->CylinderHeight != 0.0;
 }
 
+std::string FindLengthUnit(vtkDataObject* data, RankCommunicator& ranks)
+{
+  vtkAbstractArray* unit = data ? data->GetFieldData()->GetAbstractArray("LengthUnit") : nullptr;
+  return ranks.FirstText(
+    unit && unit->GetNumberOfValues() > 0 ? unit->GetVariantValue(0).ToString() : "");
+}
+
 vtkDataArray* RequireArray(vtkPointSet* input, const char* name)
 {
   vtkAbstractArray* any = input->GetPointData()->GetAbstractArray(name);
@@ -271,9 +278,7 @@ void FindOrigin(vtkPointSet* input, const WindowProperties& properties,
     origin.Observed = BoundsOfCentres(piece, ranks);
     origin.WindowSource = "Bounds of the centres";
   }
-  vtkAbstractArray* unit = input ? input->GetFieldData()->GetAbstractArray("LengthUnit") : nullptr;
-  origin.LengthUnit = ranks.FirstText(
-    unit && unit->GetNumberOfValues() > 0 ? unit->GetVariantValue(0).ToString() : "");
+  origin.LengthUnit = FindLengthUnit(input, ranks);
 }
 
 std::int64_t CountSpheres(const ruc::SpherePack& piece, RankCommunicator& ranks)

@@ -87,6 +87,9 @@ ObservedPack GatherPack(
  * points. */
 vtkDataArray* RequireArray(vtkPointSet* input, const char* name);
 
+/** Collective: the field `LengthUnit` of the lowest rank that has one, or an empty text. */
+std::string FindLengthUnit(vtkDataObject* data, RankCommunicator& ranks);
+
 /** Collective: whether any rank's piece has a point array of that name. */
 bool HasArray(vtkPointSet* input, const char* name, RankCommunicator& ranks);
 

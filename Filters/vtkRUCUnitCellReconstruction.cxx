@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRUCUnitCellReconstruction.h"
 
+#include "CellSearch.h"
+#include "ComparisonTables.h"
 #include "PackData.h"
+#include "ProbabilityTable.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
 #include "Reconstruction/CellContents.h"
-#include "Reconstruction/GradientSearch.h"
 #include "Statistics/TwoPointChecks.h"
 #include "Text.h"
 #include "TwoPointSum.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
@@ -26,6 +30,21 @@ vtkStandardNewMacro(vtkRUCUnitCellReconstruction);
 
 namespace
 {
+enum Ports
+{
+  CELL = 0,
+  CONVERGENCE = 1,
+  PROBABILITIES = 2,
+  ALL_CELLS = 3,
+  TABLE_OF_CELLS = 4,
+  COMPARISON = 5
+};
+
+const char* const MethodNames[] = { "Gradient", "Annealed Population", "Hybrid" };
+
+// Of a target: a table may be rounded, or sampled
+constexpr double TargetTolerance = 0.005;
+
 void FillConvergence(const ruc::UnitCell& cell, vtkTable* table)
 {
   std::vector<long long> iteration;
@@ -41,30 +60,134 @@ void FillConvergence(const ruc::UnitCell& cell, vtkTable* table)
   PackData::AddColumn(table, "OverlapPercent", overlap);
 }
 
-void FillComparison(
-  const ruc::TwoPointProbability& pack, const ruc::TwoPointProbability& cell, vtkTable* table)
+void FillProbabilities(const ruc::TwoPointProbability& pack, const ruc::TwoPointProbability& cell,
+  const ruc::MeanProbability& cells, bool several, vtkTable* table)
 {
   PackData::AddLags(table, pack.Lags);
   for (int r = 0; r < pack.Phases(); ++r)
   {
     for (int s = r; s < pack.Phases(); ++s)
     {
-      PackData::AddColumn(table, PackData::PairName(pack, r, s) + "_pack", pack.S(r, s));
-      PackData::AddColumn(table, PackData::PairName(pack, r, s) + "_cell", cell.S(r, s));
+      const std::string name = PackData::PairName(pack, r, s);
+      PackData::AddColumn(table, name + "_pack", pack.S(r, s));
+      PackData::AddColumn(table, name + "_cell", cell.S(r, s));
+      if (several)
+      {
+        PackData::AddColumn(table, name + "_mean", cells.Mean.S(r, s));
+        PackData::AddColumn(table, name + "_deviation", cells.Deviations[pack.PairOf(r, s)]);
+      }
     }
   }
+}
+
+// As the paper's Table I
+void FillTableOfCells(const std::vector<CellSearch::FoundCell>& cells,
+  const ruc::TwoPointProbability& target, int seed, vtkTable* table)
+{
+  std::vector<long long> number, seeds, iterations;
+  std::vector<double> columns[9];
+  std::vector<std::string> endedBy;
+  for (const CellSearch::FoundCell& found : cells)
+  {
+    number.push_back(found.Number + 1);
+    seeds.push_back(static_cast<long long>(seed) + found.Number);
+    iterations.push_back(found.Cell.Iterations);
+    endedBy.push_back(found.Cell.EndedBy);
+    const double values[] = { found.Before.Minimum, found.Before.Mean, found.Before.Maximum,
+      found.After.Minimum, found.After.Mean, found.After.Maximum, found.Cell.Overlap.Percent,
+      found.Cell.Objective, ruc::CompareProbabilities(target, found.Cell.Probability).Percent };
+    for (int n = 0; n < 9; ++n)
+    {
+      columns[n].push_back(values[n]);
+    }
+  }
+  const char* const names[] = { "BeforeMinimum", "BeforeMean", "BeforeMaximum", "AfterMinimum",
+    "AfterMean", "AfterMaximum", "OverlapPercent", "Objective", "DifferencePercent" };
+  PackData::AddColumn(table, "Cell", number);
+  PackData::AddColumn(table, "Seed", seeds);
+  for (int n = 0; n < 9; ++n)
+  {
+    if (n == 6)
+    {
+      PackData::AddColumn(table, "Iterations", iterations);
+    }
+    PackData::AddColumn(table, names[n], columns[n]);
+  }
+  PackData::AddColumn(table, "EndedBy", endedBy);
+}
+
+// From outside
+bool WasStopped(const CellSearch::FoundCell& found)
+{
+  const std::string& by = found.Cell.EndedBy;
+  return by == "Time limit" || by == "Stop file" || by == "Abort";
+}
+
+// The place of the least F2, of cells without overlap if there are any
+std::size_t FindBest(const std::vector<CellSearch::FoundCell>& cells)
+{
+  const auto better = [](const CellSearch::FoundCell& a, const CellSearch::FoundCell& b)
+  {
+    const bool freeA = a.Cell.Overlap.IsNone(), freeB = b.Cell.Overlap.IsNone();
+    return freeA != freeB ? freeA : a.Cell.Objective < b.Cell.Objective;
+  };
+  return std::min_element(cells.begin(), cells.end(), better) - cells.begin();
 }
 }
 
 vtkRUCUnitCellReconstruction::vtkRUCUnitCellReconstruction()
 {
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(6);
+}
+
+int vtkRUCUnitCellReconstruction::FillInputPortInformation(int port, vtkInformation* info)
+{
+  this->Superclass::FillInputPortInformation(port, info);
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
+  return 1;
 }
 
 int vtkRUCUnitCellReconstruction::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(),
+    port == CELL          ? "vtkPolyData"
+      : port == ALL_CELLS ? "vtkMultiBlockDataSet"
+                          : "vtkTable");
   return 1;
+}
+
+void vtkRUCUnitCellReconstruction::ClearModeDiameters()
+{
+  this->ModeDiameters.clear();
+  this->Modified();
+}
+
+void vtkRUCUnitCellReconstruction::SetModeDiameter(int i, double diameter)
+{
+  this->ModeDiameters.resize(std::max(this->ModeDiameters.size(), std::size_t(i) + 1), 0.0);
+  this->ModeDiameters[i] = diameter;
+  this->Modified();
+}
+
+void vtkRUCUnitCellReconstruction::ClearModeCounts()
+{
+  this->ModeCounts.clear();
+  this->Modified();
+}
+
+void vtkRUCUnitCellReconstruction::SetModeCount(int i, int count)
+{
+  this->ModeCounts.resize(std::max(this->ModeCounts.size(), std::size_t(i) + 1), 0);
+  this->ModeCounts[i] = count;
+  this->Modified();
+}
+
+void vtkRUCUnitCellReconstruction::SetOperatorWeights(
+  double w1, double w2, double w3, double w4, double w5, double w6, double w7, double w8)
+{
+  const double weights[] = { w1, w2, w3, w4, w5, w6, w7, w8 };
+  std::copy_n(weights, 8, this->OperatorWeights);
+  this->Modified();
 }
 
 void vtkRUCUnitCellReconstruction::ValidateProperties() const
@@ -76,13 +199,21 @@ void vtkRUCUnitCellReconstruction::ValidateProperties() const
       throw std::invalid_argument(ruc::Text(name, " requires ", what, ", got ", got, "."));
     }
   };
-  require(this->Method == GRADIENT, "Method", "the value 0", this->Method);
+  require(this->Method >= GRADIENT && this->Method <= HYBRID, "Method", "a value from 0 to 2",
+    this->Method);
+  require(this->NumberOfCells >= 1, "NumberOfCells", "a number >= 1", this->NumberOfCells);
+  require(this->CheckpointInterval >= 0.0, "CheckpointInterval", "a number of seconds >= 0",
+    this->CheckpointInterval);
   require(
     this->NumberOfParticles >= 0, "NumberOfParticles", "a number >= 0", this->NumberOfParticles);
   require(this->CellSize >= 0.0 && std::isfinite(this->CellSize), "CellSize",
     "a finite number >= 0", this->CellSize);
   require(this->NumberOfParticles == 0 || this->CellSize == 0.0, "CellSize",
     "0 when NumberOfParticles is set", this->CellSize);
+  require(this->ModeCounts.empty() || this->CellSize == 0.0, "CellSize",
+    "0 when ModeCounts are set", this->CellSize);
+  require(this->ModeCounts.empty() || this->NumberOfParticles == 0, "NumberOfParticles",
+    "0 when ModeCounts are set", this->NumberOfParticles);
   require(this->SaturationTolerance > 0.0, "SaturationTolerance", "a number > 0",
     this->SaturationTolerance);
   require(
@@ -92,25 +223,41 @@ void vtkRUCUnitCellReconstruction::ValidateProperties() const
   require(this->Seed >= 0, "Seed", "a number >= 0", this->Seed);
 }
 
-ruc::CellContents vtkRUCUnitCellReconstruction::FindContents(
-  const ruc::PackShare& pack, RankCommunicator& ranks, ProgressReport& report)
+ruc::ModeAmounts vtkRUCUnitCellReconstruction::FindAmounts(const ruc::ModeAmounts& ofInput) const
 {
+  if (this->ModeDiameters.empty())
+  {
+    return ofInput;
+  }
+  std::vector<double> fractions;
+  for (int mode = 0; mode < ofInput.NumberOfModes(); ++mode)
+  {
+    fractions.push_back(ofInput.Fraction(mode));
+  }
+  return ruc::ModeAmounts(fractions, this->ModeDiameters);
+}
+
+ruc::CellContents vtkRUCUnitCellReconstruction::FindContents(
+  const ruc::ModeAmounts& amounts, const std::function<double()>& findEdge) const
+{
+  if (!this->ModeCounts.empty())
+  {
+    return ruc::FindCellContents(amounts, this->ModeCounts);
+  }
   if (this->NumberOfParticles > 0)
   {
-    return ruc::FindCellContents(pack, this->NumberOfParticles);
+    return ruc::FindCellContents(amounts, this->NumberOfParticles);
   }
-  if (this->CellSize > 0.0)
-  {
-    return ruc::FindCellContents(pack, this->CellSize);
-  }
-  const ruc::LagGrid lags =
-    TwoPointSum::MakeLags(0.0, this->NumberOfLags, TwoPointSum::AutomaticLag(pack));
-  const ruc::TwoPointProbability probability = TwoPointSum::Compute(pack, lags, ranks, report);
-  double length =
-    ruc::SaturationLength(probability, this->SaturationTolerance, pack.MeanDiameter());
+  return ruc::FindCellContents(amounts, this->CellSize > 0.0 ? this->CellSize : findEdge());
+}
+
+double vtkRUCUnitCellReconstruction::FindEdge(
+  const ruc::TwoPointProbability& probability, double diameter, RankCommunicator& ranks)
+{
+  double length = ruc::SaturationLength(probability, this->SaturationTolerance, diameter);
   if (std::isnan(length))
   {
-    length = lags.Maximum();
+    length = probability.Lags.Maximum();
     if (ranks.Rank() == 0)
     {
       vtkWarningMacro(<< this->GetLabel() << ": S_rs does not saturate within "
@@ -118,7 +265,55 @@ ruc::CellContents vtkRUCUnitCellReconstruction::FindContents(
                       << "; the cell's edge is about twice that. Set CellSize for another.");
     }
   }
-  return ruc::FindCellContents(pack, 2.0 * length);
+  return 2.0 * length;
+}
+
+CellSearch::Settings vtkRUCUnitCellReconstruction::GetSearchSettings() const
+{
+  CellSearch::Settings settings;
+  settings.ByPopulation = this->Method != GRADIENT;
+  settings.NumberOfCells = this->NumberOfCells;
+  settings.CheckpointFile = this->CheckpointFile;
+  settings.CheckpointInterval = this->CheckpointInterval;
+  settings.Gradient.Seed = static_cast<std::uint32_t>(this->Seed);
+  settings.Gradient.MaximumIterations = this->MaximumIterations;
+  settings.Gradient.TargetObjective = this->TargetObjective;
+  ruc::PopulationSettings& population = settings.Population;
+  if (this->Method == HYBRID)
+  {
+    population = ruc::HybridSettings();
+    population.Population = this->HybridPopulation;
+    population.MatingPool = this->HybridMatingPool;
+    population.MutationReach = this->HybridMutationReach;
+    population.RefinementSteps = this->RefinementSteps;
+  }
+  else
+  {
+    population.Population = this->Population;
+    population.MatingPool = this->MatingPool;
+    population.SelectionPressure = this->SelectionPressure;
+    population.MutationReach = this->MutationReach;
+    std::copy_n(this->OperatorWeights, 8, population.OperatorWeights.begin());
+  }
+  population.Seed = static_cast<std::uint32_t>(this->Seed);
+  population.TargetObjective = this->TargetObjective;
+  population.RandomShare = this->RandomShare;
+  population.DepositionDegree = this->DepositionDegree;
+  population.MaximumGenerations = this->MaximumGenerations;
+  population.PatienceGenerations = this->PatienceGenerations;
+  population.HalfOverlap = this->HalfOverlap;
+  population.MutatedShare = this->MutatedShare;
+  population.MutationShape = this->MutationShape;
+  population.MutationGenerations = this->MutationGenerations;
+  population.MassSpringProbability = this->MassSpringProbability;
+  population.InitialTemperature = this->InitialTemperature;
+  population.CoolingFactor = this->CoolingFactor;
+  population.ReheatingGenerations = this->ReheatingGenerations;
+  if (settings.ByPopulation)
+  {
+    ruc::CheckSettings(population);
+  }
+  return settings;
 }
 
 std::string vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport& report)
@@ -139,6 +334,28 @@ std::string vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport& r
 }
 
 void vtkRUCUnitCellReconstruction::Execute(
+  vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks)
+{
+  vtkTable* table = vtkTable::GetData(inputs[0]);
+  if (!table)
+  {
+    this->Superclass::Execute(inputs, outputs, ranks);
+    return;
+  }
+  this->SetAbortExecute(0); // VTK leaves the wish of a former run standing
+  this->ValidateProperties();
+  ProgressReport report(this, this->GetLabel());
+  const ruc::TwoPointProbability target = ProbabilityTable::Read(table, "Input", ranks);
+  ruc::RequireProbabilities(target, TargetTolerance);
+  const ruc::ModeAmounts amounts(
+    { target.Fractions.begin(), target.Fractions.end() - 1 }, this->ModeDiameters);
+  const ruc::CellContents contents = this->FindContents(
+    amounts, [&]() { return this->FindEdge(target, amounts.MeanDiameter(), ranks); });
+  this->Reconstruct(
+    contents, target, PackData::FindLengthUnit(table, ranks), outputs, ranks, report);
+}
+
+void vtkRUCUnitCellReconstruction::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
   this->SetAbortExecute(0); // VTK leaves the wish of a former run standing
@@ -146,68 +363,133 @@ void vtkRUCUnitCellReconstruction::Execute(
   ProgressReport report(this, this->GetLabel());
   const PackData::SharedPack pack =
     PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
-  const ruc::CellContents contents = this->FindContents(pack.Share, ranks, report);
+  const auto findEdge = [&]()
+  {
+    const ruc::LagGrid lags =
+      TwoPointSum::MakeLags(0.0, this->NumberOfLags, TwoPointSum::AutomaticLag(pack.Share));
+    return this->FindEdge(
+      TwoPointSum::Compute(pack.Share, lags, ranks, report), pack.Share.MeanDiameter(), ranks);
+  };
+  const ruc::CellContents contents = this->FindContents(this->FindAmounts(pack.Share), findEdge);
   const ruc::LagGrid lags =
     TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags, 0.5 * contents.Edge);
   const ruc::TwoPointProbability target = TwoPointSum::Compute(pack.Share, lags, ranks, report);
+  this->Reconstruct(contents, target, pack.LengthUnit, outputs, ranks, report);
+}
 
-  ruc::GradientSearchSettings settings;
-  settings.Seed = static_cast<std::uint32_t>(this->Seed);
-  settings.MaximumIterations = this->MaximumIterations;
-  settings.TargetObjective = this->TargetObjective;
-  std::string stopReason;
-  const ruc::UnitCell cell = ruc::SearchByGradient(contents, target, settings, ranks,
-    [&](const ruc::SearchState& state)
+void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents,
+  const ruc::TwoPointProbability& target, const std::string& lengthUnit,
+  vtkInformationVector* outputs, RankCommunicator& ranks, ProgressReport& report)
+{
+  const CellSearch::Settings settings = this->GetSearchSettings();
+  const double most =
+    this->Method == GRADIENT ? this->MaximumIterations + 3.0 : this->MaximumGenerations + 1.0;
+  CellSearch::Callbacks callbacks;
+  callbacks.StopReason = [&](int cell, const ruc::SearchState& state)
+  {
+    if (ranks.Rank() == 0)
     {
-      if (ranks.Rank() > 0)
-      {
-        return true;
-      }
-      report.Update(state.Iteration / (this->MaximumIterations + 3.0),
-        ruc::Text(state.Phase, ", iteration ", state.Iteration, ", F2 = ", state.Objective,
-          ", overlap ", state.OverlapPercent, " %"));
-      stopReason = this->FindStopReason(report);
-      return stopReason.empty();
-    });
-  const bool stopped = cell.EndedBy == "Stopped";
-  const std::string endedBy = stopped ? ranks.FirstText(stopReason) : cell.EndedBy;
+      report.Update((cell + state.Iteration / most) / this->NumberOfCells,
+        ruc::Text(this->NumberOfCells > 1 ? ruc::Text("cell ", cell + 1, ", ") : std::string(),
+          state.Phase, ", ", this->Method == GRADIENT ? "iteration " : "generation ",
+          state.Iteration, ", F2 = ", state.Objective, ", overlap ", state.OverlapPercent, " %"));
+    }
+    return this->FindStopReason(report);
+  };
+  callbacks.Warn = [&](const std::string& text)
+  { vtkWarningMacro(<< this->GetLabel() << ": " << text); };
+  const std::vector<CellSearch::FoundCell> cells =
+    CellSearch::Find(contents, target, settings, callbacks, ranks);
+  const std::size_t best = FindBest(cells);
+  this->FillOutputs(cells, best, contents, target, lengthUnit, outputs, ranks);
 
-  const PackData::PackOrigin origin = { cell.Box, "Unit cell", pack.LengthUnit };
+  for (const CellSearch::FoundCell& found : cells)
+  {
+    const ruc::PackOverlap& overlap = found.Cell.Overlap;
+    if (ranks.Rank() == 0 && !overlap.IsNone())
+    {
+      vtkWarningMacro(<< this->GetLabel() << ": cell " << found.Number + 1 << " still has overlap, "
+                      << overlap.Percent << " % of the spheres' volume in " << overlap.Pairs
+                      << " pairs"
+                      << (WasStopped(found) ? "; it was stopped early."
+                                            : "; it is too dense to free."));
+    }
+  }
+  if (ranks.Rank() == 0 && cells.size() < static_cast<std::size_t>(this->NumberOfCells))
+  {
+    vtkWarningMacro(<< this->GetLabel() << ": stopped before " << this->NumberOfCells - cells.size()
+                    << " of " << this->NumberOfCells << " cells were begun.");
+  }
+}
+
+void vtkRUCUnitCellReconstruction::FillOutputs(const std::vector<CellSearch::FoundCell>& cells,
+  std::size_t best, const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
+  const std::string& lengthUnit, vtkInformationVector* outputs, RankCommunicator& ranks)
+{
+  std::vector<ruc::TwoPointProbability> probabilities;
+  vtkMultiBlockDataSet* all = vtkMultiBlockDataSet::GetData(outputs, ALL_CELLS);
+  for (const CellSearch::FoundCell& found : cells)
+  {
+    probabilities.push_back(found.Cell.Probability);
+    const unsigned int block = all->GetNumberOfBlocks();
+    vtkNew<vtkPolyData> data;
+    if (ranks.Rank() == 0)
+    {
+      PackData::FillPolyData(found.Cell.Pack, data);
+    }
+    this->AddCellFields(data, found, contents, target, lengthUnit);
+    all->SetBlock(block, data);
+    all->GetMetaData(block)->Set(
+      vtkCompositeDataSet::NAME(), ruc::Text("Cell ", found.Number + 1).c_str());
+  }
+  const ruc::MeanProbability mean = ruc::AverageProbabilities(probabilities);
+  const bool several = cells.size() > 1;
   if (ranks.Rank() == 0)
   {
-    PackData::FillPolyData(cell.Pack, vtkPolyData::GetData(outputs, 0));
-    FillConvergence(cell, vtkTable::GetData(outputs, 1));
-    FillComparison(target, cell.Probability, vtkTable::GetData(outputs, 2));
+    const ruc::UnitCell& cell = cells[best].Cell;
+    PackData::FillPolyData(cell.Pack, vtkPolyData::GetData(outputs, CELL));
+    FillConvergence(cell, vtkTable::GetData(outputs, CONVERGENCE));
+    FillProbabilities(
+      target, cell.Probability, mean, several, vtkTable::GetData(outputs, PROBABILITIES));
+    FillTableOfCells(cells, target, this->Seed, vtkTable::GetData(outputs, TABLE_OF_CELLS));
+    ComparisonTables::FillComparison(target, mean, several, vtkTable::GetData(outputs, COMPARISON));
   }
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
-    vtkDataObject* data = outputs->GetInformationObject(port)->Get(vtkDataObject::DATA_OBJECT());
-    PackData::AddPackSummary(
-      data, origin, cell.Pack.Size(), cell.Probability.Fractions, cell.Overlap.Percent);
-    PackData::AddField(data, "Method", std::string("Gradient"));
-    PackData::AddField(data, "Seed", std::vector<long long>{ this->Seed });
-    PackData::AddField(data, "NumberOfLags", std::vector<long long>{ lags.Count });
-    PackData::AddField(data, "MaximumLag", std::vector<double>{ lags.Maximum() });
-    PackData::AddField(data, "Objective", std::vector<double>{ cell.Objective });
-    PackData::AddField(data, "StartObjective", std::vector<double>{ cell.StartObjective });
-    PackData::AddField(data, "OnePointDifference",
-      std::vector<double>{ ruc::OnePointDifference(contents, target.Fractions, contents.Edge) });
-    PackData::AddField(data, "Iterations", std::vector<long long>{ cell.Iterations });
-    PackData::AddField(data, "EndedBy", endedBy);
-    PackData::AddField(data, "Stopped", std::vector<long long>{ stopped });
+    this->AddCellFields(outputs->GetInformationObject(port)->Get(vtkDataObject::DATA_OBJECT()),
+      cells[best], contents, target, lengthUnit);
   }
-  if (ranks.Rank() == 0 && !cell.Overlap.IsNone())
-  {
-    vtkWarningMacro(<< this->GetLabel() << ": the cell still has overlap, " << cell.Overlap.Percent
-                    << " % of the spheres' volume in " << cell.Overlap.Pairs << " pairs"
-                    << (stopped ? "; it was stopped early." : "; it is too dense to free."));
-  }
+  PackData::AddField(vtkTable::GetData(outputs, COMPARISON), "DifferencePercent",
+    std::vector<double>{ ruc::CompareProbabilities(target, mean.Mean).Percent });
+}
+
+void vtkRUCUnitCellReconstruction::AddCellFields(vtkDataObject* data,
+  const CellSearch::FoundCell& found, const ruc::CellContents& contents,
+  const ruc::TwoPointProbability& target, const std::string& lengthUnit) const
+{
+  const ruc::UnitCell& cell = found.Cell;
+  PackData::AddPackSummary(data, { cell.Box, "Unit cell", lengthUnit }, cell.Pack.Size(),
+    cell.Probability.Fractions, cell.Overlap.Percent);
+  PackData::AddField(data, "Method", std::string(MethodNames[this->Method]));
+  PackData::AddField(
+    data, "Seed", std::vector<long long>{ static_cast<long long>(this->Seed) + found.Number });
+  PackData::AddField(data, "Cell", std::vector<long long>{ found.Number + 1 });
+  PackData::AddField(data, "NumberOfLags", std::vector<long long>{ target.Lags.Count });
+  PackData::AddField(data, "MaximumLag", std::vector<double>{ target.Lags.Maximum() });
+  PackData::AddField(data, "Objective", std::vector<double>{ cell.Objective });
+  PackData::AddField(data, "StartObjective", std::vector<double>{ cell.StartObjective });
+  PackData::AddField(data, "OnePointDifference",
+    std::vector<double>{ ruc::OnePointDifference(contents, target.Fractions, contents.Edge) });
+  PackData::AddField(data, "Iterations", std::vector<long long>{ cell.Iterations });
+  PackData::AddField(data, "EndedBy", cell.EndedBy);
+  PackData::AddField(data, "Stopped", std::vector<long long>{ WasStopped(found) });
 }
 
 void vtkRUCUnitCellReconstruction::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << this->Method << "\n";
+  os << indent << "NumberOfCells: " << this->NumberOfCells << "\n";
   os << indent << "NumberOfParticles: " << this->NumberOfParticles << "\n";
   os << indent << "CellSize: " << this->CellSize << "\n";
   os << indent << "MaximumLag: " << this->MaximumLag << "\n";
@@ -218,4 +500,38 @@ void vtkRUCUnitCellReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "StopFile: " << this->StopFile << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "CheckpointFile: " << this->CheckpointFile << "\n";
+  os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
+  os << indent << "Population: " << this->Population << "\n";
+  os << indent << "RandomShare: " << this->RandomShare << "\n";
+  os << indent << "DepositionDegree: " << this->DepositionDegree << "\n";
+  os << indent << "MatingPool: " << this->MatingPool << "\n";
+  os << indent << "MaximumGenerations: " << this->MaximumGenerations << "\n";
+  os << indent << "PatienceGenerations: " << this->PatienceGenerations << "\n";
+  os << indent << "SelectionPressure: " << this->SelectionPressure << "\n";
+  os << indent << "HalfOverlap: " << this->HalfOverlap << "\n";
+  os << indent << "MutatedShare: " << this->MutatedShare << "\n";
+  os << indent << "MutationShape: " << this->MutationShape << "\n";
+  os << indent << "MutationReach: " << this->MutationReach << "\n";
+  os << indent << "MutationGenerations: " << this->MutationGenerations << "\n";
+  os << indent << "MassSpringProbability: " << this->MassSpringProbability << "\n";
+  os << indent << "InitialTemperature: " << this->InitialTemperature << "\n";
+  os << indent << "CoolingFactor: " << this->CoolingFactor << "\n";
+  os << indent << "ReheatingGenerations: " << this->ReheatingGenerations << "\n";
+  os << indent << "HybridPopulation: " << this->HybridPopulation << "\n";
+  os << indent << "HybridMatingPool: " << this->HybridMatingPool << "\n";
+  os << indent << "HybridMutationReach: " << this->HybridMutationReach << "\n";
+  os << indent << "RefinementSteps: " << this->RefinementSteps << "\n";
+  const auto print = [&](const char* name, const auto& values)
+  {
+    os << indent << name << ":";
+    for (const auto& value : values)
+    {
+      os << " " << value;
+    }
+    os << "\n";
+  };
+  print("ModeDiameters", this->ModeDiameters);
+  print("ModeCounts", this->ModeCounts);
+  print("OperatorWeights", this->OperatorWeights);
 }

@@ -2,33 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reconstruction/GradientSearch.h"
 
-#include "Random.h"
 #include "Reconstruction/CellObjective.h"
-#include "Reconstruction/Minimise.h"
+#include "Reconstruction/CellStart.h"
+#include "Text.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace ruc
 {
 namespace
 {
-// A cell without overlap is kept this often, for a search that is stopped or cannot be freed of
-// overlap at its end
-constexpr int IterationsBetweenKept = 100;
-// The search has converged when F2 fell by less than this share in as many iterations
-constexpr double LeastProgress = 1e-3;
-
-std::vector<double> Centres(const SpherePack& pack)
-{
-  std::vector<double> centres;
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    centres.insert(centres.end(), { pack.X[i], pack.Y[i], pack.Z[i] });
-  }
-  return centres;
-}
-
 // Overlap in percent, as MeasureOverlap defines it, from S_rs(0): every pair that overlaps adds its
 // lens volume twice
 double OverlapPercent(const TwoPointProbability& probability)
@@ -51,44 +36,61 @@ class Search
 public:
   Search(const CellContents& contents, const TwoPointProbability& target,
     const GradientSearchSettings& settings, Communicator& communicator,
-    const std::function<bool(const SearchState&)>& carryOn)
-    : Settings(settings)
+    const std::function<bool(const SearchState&)>& carryOn,
+    const std::function<void(const GradientState&)>& save)
+    : Contents(contents)
+    , Settings(settings)
     , Target(target)
     , Ranks(communicator)
     , CarryOn(carryOn)
+    , Save(save)
     , Objective(contents, target, communicator)
     , Best{ {}, this->Objective.MakeBox(), 0.0, 0.0, {}, 0, {}, target, {} }
   {
-    for (int i = 0; i < contents.NumberOfSpheres(); ++i)
+    this->Objective.SetPenaltyWeight(DescentPenaltyWeight);
+  }
+
+  void Start()
+  {
+    const std::vector<double> centres = RandomCentres(this->Contents, this->Settings.Seed, 0);
+    this->Evaluate(centres.data(), nullptr);
+    this->Record(RemovingOverlap, this->Terms.TwoPoint, this->Overlap());
+    this->Keep(centres);
+    this->RecordBest();
+    this->State.StartObjective = this->Best.Objective;
+    this->State.Kept = this->Best.Objective;
+    this->State.Tried = this->Best.Objective;
+    this->State.Descent.Place = CentresOf(this->Best.Pack);
+  }
+
+  void Resume(const GradientState& state)
+  {
+    const std::size_t length = 3 * std::size_t(this->Contents.NumberOfSpheres());
+    if (state.Descent.Place.size() != length || state.Best.size() != length)
     {
-      for (double u : UniformTriple(settings.Seed, 0, i))
-      {
-        this->Start.push_back(contents.Edge * u);
-      }
+      throw std::invalid_argument(Text("Resuming requires a state of ", length / 3,
+        " spheres, got one of ", state.Descent.Place.size() / 3, "."));
     }
+    this->State = state;
+    this->Evaluate(state.Descent.Place.data(), nullptr);
+    this->Keep(state.Best);
   }
 
   UnitCell Run()
   {
-    std::vector<double> centres = this->Start;
-    this->Evaluate(centres.data(), nullptr);
-    this->Record(
-      "removing overlap", this->Terms.TwoPoint, OverlapPercent(this->Objective.GetProbability()));
-    this->Keep(centres);
-    this->RecordBest();
-    this->Best.StartObjective = this->Best.Objective;
-    centres = Centres(this->Best.Pack);
     std::string endedBy = this->Stopped ? "Stopped" : "Maximum iterations";
     if (this->MeetsTarget())
     {
       endedBy = "Target objective";
     }
-    else if (!this->Stopped && this->Settings.MaximumIterations > 0)
+    else if (!this->Stopped && this->State.Descent.Iterations < this->Settings.MaximumIterations)
     {
-      endedBy = this->Descend(centres);
-      this->Keep(centres);
+      endedBy = this->Descend();
+      this->Keep(this->State.Descent.Place);
       this->RecordBest();
     }
+    this->Best.StartObjective = this->State.StartObjective;
+    this->Best.Convergence = this->State.Convergence;
     this->Best.EndedBy = endedBy;
     this->Best.Iterations = this->Best.Convergence.back().Iteration;
     return this->Best;
@@ -111,11 +113,13 @@ private:
     }
   }
 
+  double Overlap() const { return OverlapPercent(this->Objective.GetProbability()); }
+
   void Record(const char* phase, double objective, double overlapPercent)
   {
-    const int iteration = static_cast<int>(this->Best.Convergence.size());
-    this->Best.Convergence.push_back({ phase, iteration, objective, overlapPercent });
-    this->Ask(this->Best.Convergence.back());
+    const int iteration = static_cast<int>(this->State.Convergence.size());
+    this->State.Convergence.push_back({ phase, iteration, objective, overlapPercent });
+    this->Ask(this->State.Convergence.back());
   }
 
   bool MeetsTarget() const
@@ -125,17 +129,17 @@ private:
 
   void RecordBest()
   {
-    this->Record("removing overlap", this->Best.Objective, this->Best.Overlap.Percent);
+    this->Record(RemovingOverlap, this->Best.Objective, this->Best.Overlap.Percent);
   }
 
   // Frees a copy of the centres from overlap and keeps it if it is the best so far. A cell with
   // overlap is kept only while there is none without.
   void Keep(const std::vector<double>& centres)
   {
-    SpherePack pack = this->Objective.MakePack(centres.data());
-    const SearchState state = { "removing overlap", static_cast<int>(this->Best.Convergence.size()),
-      this->Terms.TwoPoint, OverlapPercent(this->Objective.GetProbability()) };
-    RemoveOverlap(pack, this->Best.Box, this->Settings.Seed,
+    const SearchState state = { RemovingOverlap, static_cast<int>(this->State.Convergence.size()),
+      this->Terms.TwoPoint, this->Overlap() };
+    UnitCell cell = FinishUnitCell(this->Objective.MakePack(centres.data()), this->Best.Box,
+      this->Target, this->Settings.Seed, this->Ranks,
       [&]()
       {
         this->Ask(state);
@@ -145,100 +149,109 @@ private:
         this->Stopped = this->Stopped || wish > 0;
         return !this->Stopped;
       });
-    const PackOverlap overlap = MeasureOverlap(pack, this->Best.Box);
-    TwoPointProbability probability = this->FindProbability(pack);
-    const double objective = TwoPointDifference(this->Target, probability);
     const bool first = this->Best.Pack.Empty();
-    const bool freer = overlap.IsNone() && !this->Best.Overlap.IsNone();
+    const bool freer = cell.Overlap.IsNone() && !this->Best.Overlap.IsNone();
     if (first || freer ||
-      (overlap.IsNone() == this->Best.Overlap.IsNone() && objective < this->Best.Objective))
+      (cell.Overlap.IsNone() == this->Best.Overlap.IsNone() &&
+        cell.Objective < this->Best.Objective))
     {
-      this->Best.Pack = std::move(pack);
-      this->Best.Overlap = overlap;
-      this->Best.Objective = objective;
-      this->Best.Probability = std::move(probability);
+      this->Best = std::move(cell);
+      this->State.Best = CentresOf(this->Best.Pack);
     }
   }
 
-  // By the estimator that made the target, which is a little finer than the objective's tables
-  TwoPointProbability FindProbability(SpherePack pack)
-  {
-    SortCanonically(pack);
-    const ExactPairSum sum(pack, this->Best.Box, this->Target.Lags);
-    std::vector<std::int64_t> sums(sum.SumsSize(), 0);
-    sum.AddChunks(this->Ranks.Rank(), this->Ranks.Size(), sums.data());
-    this->Ranks.Sum(sums.data(), sums.size());
-    return sum.Result(sums);
-  }
-
-  std::string Descend(std::vector<double>& centres)
+  std::string Descend()
   {
     std::string endedBy = "Converged";
-    double checkpoint = this->Best.Objective;
-    double tried = this->Best.Objective; // F2 at which a cell was last freed from overlap
-    MinimiserSettings settings;
-    settings.MaximumIterations = this->Settings.MaximumIterations;
-    const int iterations = Minimise(
-      centres, settings,
-      [&](const double* x, double* gradient)
+    DescentSettings settings;
+    settings.FirstStep = FirstStepOf(this->Contents);
+    const DescentEnd end = ruc::Descend(
+      this->State.Descent, settings,
+      [&](const double* place, double* gradient, double& value)
       {
-        this->Evaluate(x, gradient);
-        return this->Terms.Total();
+        this->Evaluate(place, gradient);
+        value = this->Terms.Total();
+        return !this->Stopped;
       },
-      [&](const double* x, double, int iteration)
+      [&](const DescentState& descent)
       {
-        const double objective = this->Terms.TwoPoint;
-        this->Record("minimising F2", objective, OverlapPercent(this->Objective.GetProbability()));
-        if (this->Stopped)
+        endedBy = this->AfterIteration(descent);
+        if (this->Save)
         {
-          endedBy = "Stopped";
-          return false;
+          this->Save(this->State);
         }
-        const bool due = iteration % IterationsBetweenKept == 0;
-        const bool promising =
-          objective <= this->Settings.TargetObjective && objective < 0.99 * tried;
-        if (due || promising)
-        {
-          tried = objective;
-          this->Keep({ x, x + centres.size() });
-          if (this->MeetsTarget())
-          {
-            endedBy = "Target objective";
-            return false;
-          }
-        }
-        if (due)
-        {
-          if (objective > (1.0 - LeastProgress) * checkpoint)
-          {
-            return false;
-          }
-          checkpoint = objective;
-        }
-        return true;
+        return endedBy.empty();
       });
-    return iterations >= this->Settings.MaximumIterations && endedBy == "Converged"
-      ? "Maximum iterations"
-      : endedBy;
+    if (end == DescentEnd::NowhereTo)
+    {
+      return "Converged";
+    }
+    return end == DescentEnd::GivenUp ? "Stopped" : endedBy;
   }
 
+  // What ends the search, or an empty text
+  std::string AfterIteration(const DescentState& descent)
+  {
+    const double objective = this->Terms.TwoPoint;
+    this->Record(MinimisingObjective, objective, this->Overlap());
+    const bool due = descent.Iterations % IterationsBetweenKept == 0;
+    const bool promising =
+      objective <= this->Settings.TargetObjective && objective < 0.99 * this->State.Tried;
+    if (due || promising)
+    {
+      this->State.Tried = objective;
+      this->Keep(descent.Place);
+      if (this->MeetsTarget())
+      {
+        return "Target objective";
+      }
+    }
+    if (due)
+    {
+      const bool converged = objective > (1.0 - LeastProgress) * this->State.Kept;
+      this->State.Kept = objective;
+      if (converged)
+      {
+        return "Converged";
+      }
+    }
+    return descent.Iterations >= this->Settings.MaximumIterations ? "Maximum iterations" : "";
+  }
+
+  const CellContents& Contents;
   const GradientSearchSettings& Settings;
   const TwoPointProbability& Target;
   Communicator& Ranks;
   const std::function<bool(const SearchState&)>& CarryOn;
+  const std::function<void(const GradientState&)>& Save;
   CellObjective Objective;
   CellObjective::Terms Terms{};
+  GradientState State;
   UnitCell Best;
-  std::vector<double> Start;
   std::int64_t Wish = 0; // to stop, of this rank
   bool Stopped = false;  // agreed by all ranks
 };
 }
 
+double FirstStepOf(const CellContents& contents)
+{
+  return contents.Edge / std::cbrt(contents.NumberOfSpheres()) / 40.0;
+}
+
 UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbability& target,
   const GradientSearchSettings& settings, Communicator& communicator,
-  const std::function<bool(const SearchState&)>& carryOn)
+  const std::function<bool(const SearchState&)>& carryOn, const GradientState* resume,
+  const std::function<void(const GradientState&)>& save)
 {
-  return Search(contents, target, settings, communicator, carryOn).Run();
+  Search search(contents, target, settings, communicator, carryOn, save);
+  if (resume)
+  {
+    search.Resume(*resume);
+  }
+  else
+  {
+    search.Start();
+  }
+  return search.Run();
 }
 }

@@ -4,12 +4,12 @@
 
 #include "Communicator.h"
 #include "Reconstruction/CellContents.h"
-#include "Reconstruction/OverlapRemoval.h"
+#include "Reconstruction/Descent.h"
+#include "Reconstruction/UnitCell.h"
 #include "Statistics/TwoPointProbability.h"
 
 #include <cstdint>
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace ruc
@@ -21,29 +21,30 @@ struct GradientSearchSettings
   double TargetObjective = 0.0; // ends the search when a cell without overlap has F2 at or below it
 };
 
-/** Where a search stands; what its caller is told every iteration. */
-struct SearchState
-{
-  const char* Phase; // "removing overlap" or "minimising F2"
-  int Iteration;
-  double Objective; // F2
-  double OverlapPercent;
-};
+/** A descent has converged when F2 fell by less than this share in IterationsBetweenKept. */
+constexpr double LeastProgress = 1e-3;
+/** A cell without overlap is kept this often, for a search that is stopped or cannot be freed of
+ * overlap at its end. */
+constexpr int IterationsBetweenKept = 100;
 
-struct UnitCell
+/**
+ * Weight of the overlap penalty in a descent (CellObjective). The contacts are the stiffest part of
+ * the objective, so a descent is the quicker the less they weigh, and the more overlap is left to
+ * be removed from a cell that is kept; from 0.01 to 0.03 both go well.
+ */
+constexpr double DescentPenaltyWeight = 0.02;
+
+/** The first step of a descent, a fortieth of the mean spacing of the centres in all. */
+double FirstStepOf(const CellContents& contents);
+
+/** All of a search between two iterations: it resumes from it to the same end, bit by bit. */
+struct GradientState
 {
-  SpherePack Pack; // centres in [0, edge)^3
-  Window Box;
-  double Objective = 0.0;      // F2 of `Pack`
-  double StartObjective = 0.0; // F2 of the random start, freed from overlap as far as it went
-  PackOverlap Overlap;
-  int Iterations = 0;
-  /** "Target objective", "Maximum iterations", "Converged", or "Stopped" when the caller ended the
-   * search. */
-  std::string EndedBy;
-  TwoPointProbability Probability;
-  /** Of every iteration. 0 is the random start, 1 has its overlap removed, the last is the cell
-   * returned. */
+  DescentState Descent;
+  std::vector<double> Best; // centres of the best cell so far
+  double StartObjective = 0.0;
+  double Kept = 0.0;  // F2 when IterationsBetweenKept were last over
+  double Tried = 0.0; // F2 at which a cell was last freed from overlap
   std::vector<SearchState> Convergence;
 };
 
@@ -54,9 +55,12 @@ struct UnitCell
  *
  * Collective; every rank returns the same bits, whatever the number of ranks and threads. `carryOn`
  * is asked on every rank in every iteration; when it returns false on any, the search ends with the
- * best cell so far.
+ * best cell so far. `save`, if any, is given the state after every iteration of L-BFGS. `resume` is
+ * a state to go on from, on any number of ranks; throws std::invalid_argument if it is not one of
+ * these contents.
  */
 UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbability& target,
   const GradientSearchSettings& settings, Communicator& communicator,
-  const std::function<bool(const SearchState&)>& carryOn);
+  const std::function<bool(const SearchState&)>& carryOn, const GradientState* resume = nullptr,
+  const std::function<void(const GradientState&)>& save = {});
 }

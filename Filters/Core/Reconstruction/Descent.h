@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace ruc
+{
+/** Where a descent stands: all that it needs to go on to the same end, bit by bit. */
+struct DescentState
+{
+  std::vector<double> Place;
+  std::vector<double> Gradient; // at the place; empty before the first evaluation
+  double Value = 0.0;
+  int Iterations = 0;
+  /** The last steps and the changes of the gradient over them, oldest first, that approximate the
+   * Hessian. */
+  std::vector<std::vector<double>> Steps, GradientChanges;
+};
+
+/** How a descent is done. */
+struct DescentSettings
+{
+  std::size_t Memory = 20; // steps kept
+  double FirstStep = 1.0;  // length of the first step, before there is a Hessian
+  int MaximumTrials = 40;  // evaluations along one line
+};
+
+enum class DescentEnd
+{
+  Told,     // `progress` returned false
+  GivenUp,  // `evaluate` returned false
+  NowhereTo // no lower value was found along the line, nor down the gradient itself
+};
+
+/**
+ * Minimises a function with L-BFGS (Nocedal, Math. Comp. 35, 773, 1980) from where `state` stands
+ * until it is told to stop. Other than that of a library its state can be kept and resumed.
+ *
+ * The line search bisects for the weak Wolfe conditions, which serves functions with kinks, as F2
+ * has where one of its norms vanishes (Lewis, Overton, Math. Program. 141, 135, 2013).
+ *
+ * `evaluate(place, gradient, value)` fills the gradient and the value, or returns false to give up;
+ * the state stays that of the last iteration then. The last evaluation before `progress(state)` is
+ * that of the state's place. The value never grows from one iteration to the next.
+ */
+DescentEnd Descend(DescentState& state, const DescentSettings& settings,
+  const std::function<bool(const double* place, double* gradient, double& value)>& evaluate,
+  const std::function<bool(const DescentState&)>& progress);
+}

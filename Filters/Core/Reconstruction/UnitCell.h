@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Communicator.h"
+#include "Reconstruction/OverlapRemoval.h"
+#include "Statistics/TwoPointProbability.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ruc
+{
+/** Where a search stands; what its caller is told every iteration. */
+struct SearchState
+{
+  const char* Phase; // one of SearchPhases
+  int Iteration;     // or generation
+  double Objective;  // F2
+  double OverlapPercent;
+};
+
+constexpr const char* RemovingOverlap = "removing overlap";
+constexpr const char* MinimisingObjective = "minimising F2";
+constexpr const char* AnnealingPopulation = "annealing population";
+constexpr const char* SearchPhases[] = { RemovingOverlap, MinimisingObjective,
+  AnnealingPopulation };
+
+/** What a search returns. */
+struct UnitCell
+{
+  SpherePack Pack; // centres in [0, edge)^3
+  Window Box;
+  double Objective = 0.0; // F2 of `Pack`
+  /** F2 of the random start, freed from overlap as far as it went; of a population the mean F2 of
+   * the first. */
+  double StartObjective = 0.0;
+  PackOverlap Overlap;
+  int Iterations = 0; // or generations
+  /** "Target objective", "Maximum iterations", "Converged", or "Stopped" when the caller ended the
+   * search. */
+  std::string EndedBy;
+  TwoPointProbability Probability;
+  /** Of every iteration; the last is the cell returned. Of a gradient search 0 is the random start
+   * and 1 has its overlap removed; of a population 0 is the best of the first. */
+  std::vector<SearchState> Convergence;
+};
+
+/** x, y, z of every sphere. */
+std::vector<double> CentresOf(const SpherePack& pack);
+
+/**
+ * Collective: the cell of these spheres in a periodic box, freed from overlap (RemoveOverlap, with
+ * its seed and `carryOn`, which must return the same on every rank), with its overlap, and its S_rs
+ * and F2 by the estimator that made the target. What belongs to a search is left empty.
+ */
+UnitCell FinishUnitCell(SpherePack pack, const Window& box, const TwoPointProbability& target,
+  std::uint32_t seed, Communicator& ranks, const std::function<bool()>& carryOn);
+}
