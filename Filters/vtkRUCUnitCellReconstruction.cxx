@@ -432,13 +432,14 @@ void vtkRUCUnitCellReconstruction::FillOutputs(const std::vector<CellSearch::Fou
   {
     probabilities.push_back(found.Cell.Probability);
     const unsigned int block = all->GetNumberOfBlocks();
-    vtkNew<vtkPolyData> data;
+    all->SetNumberOfBlocks(block + 1);
     if (ranks.Rank() == 0)
     {
+      vtkNew<vtkPolyData> data;
       PackData::FillPolyData(found.Cell.Pack, data);
+      this->AddCellFields(data, found, contents, target, lengthUnit);
+      all->SetBlock(block, data);
     }
-    this->AddCellFields(data, found, contents, target, lengthUnit);
-    all->SetBlock(block, data);
     all->GetMetaData(block)->Set(
       vtkCompositeDataSet::NAME(), ruc::Text("Cell ", found.Number + 1).c_str());
   }

@@ -2,19 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Times the loops that everything else waits for, on the example pack: the pair loop of the exact
- * sum (with its time a pair), the objective of a cell of 1082 spheres and its gradient. One thread
- * unless OMP_NUM_THREADS says otherwise.
+ * sum (with its time a pair), the objective of a cell of 1082 spheres and its gradient, throws for
+ * three-point probabilities (with the time of a throw, and that of the plain template, which counts
+ * the same and so has the same error). One thread unless OMP_NUM_THREADS says otherwise.
  */
 #include "Geometry/CellList.h"
+#include "Geometry/RayFan.h"
+#include "Geometry/SphereGrid.h"
 #include "Geometry/SpherePackText.h"
 #include "Random.h"
 #include "Reconstruction/CellObjective.h"
+#include "Statistics/FanSampling.h"
 #include "Statistics/ParticleModes.h"
 #include "Statistics/TwoPointProbability.h"
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <iterator>
 
@@ -121,6 +126,89 @@ void Objective(benchmark::State& state)
   }
 }
 BENCHMARK(Objective)->ArgName("gradient")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+const ruc::ThreePointGrid Grid = { Lags, 20 };
+
+// The phase of every point of a throw is looked up, then all pairs of points on all pairs of rays
+// are gone through; returns the seconds a throw
+double TimePlainTemplate(const ruc::SpherePack& pack, const ruc::SamplingRegion& region,
+  const std::vector<ruc::PhaseTriple>& triples, int throws)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  const int modes = pack.NumberOfModes(), rays = Grid.Directions, points = Grid.Points();
+  const ruc::SphereGrid spheres(pack, region.GetBounds());
+  const ruc::RayDirections directions(rays);
+  std::vector<int> phase(rays * points);
+  std::vector<std::vector<std::int64_t>> counts(
+    triples.size() + 1, std::vector<std::int64_t>(Grid.Size(), 0));
+  for (int n = 0; n < throws; ++n)
+  {
+    const ruc::RayFan fan = ruc::RayFan::Random(region, 1, n);
+    for (int ray = 0; ray < rays; ++ray)
+    {
+      const ruc::Vector3 along = directions.Of(fan, ray);
+      for (int k = 0; k < points; ++k)
+      {
+        ruc::Vector3 point = fan.Centre;
+        for (int q = 0; q < 3; ++q)
+        {
+          point[q] += k * Lags.Spacing * along[q];
+        }
+        phase[ray * points + k] =
+          region.Contains(point) ? spheres.LowestModeAt(point, modes) : modes + 1;
+      }
+    }
+    for (int first = 0; first < rays; ++first)
+    {
+      for (int second = 0; second < rays; ++second)
+      {
+        const int apart = std::abs(first - second);
+        std::size_t place = Grid.PlaceOf(0, 0, std::min(apart, rays - apart));
+        for (int k2 = 0; k2 < points; ++k2)
+        {
+          const int q = phase[second * points + k2];
+          for (int k1 = 0; k1 < points; ++k1, ++place)
+          {
+            const int s = phase[first * points + k1];
+            counts.back()[place] += s <= modes && q <= modes;
+            for (std::size_t t = 0; t < triples.size(); ++t)
+            {
+              counts[t][place] +=
+                phase[0] == triples[t].R && s == triples[t].S && q == triples[t].Q;
+            }
+          }
+        }
+      }
+    }
+  }
+  benchmark::DoNotOptimize(counts);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  return seconds.count() / throws;
+}
+
+void Fans(benchmark::State& state)
+{
+  const ruc::SpherePack pack = ReadPack();
+  const ruc::SamplingRegion region(Block, pack.LargestRadius());
+  const std::vector<ruc::PhaseTriple> triples =
+    ruc::ParseTriples("3 5 5; 7 7 5; m m m", pack.NumberOfModes());
+  ruc::Communicator serial;
+  ruc::FanSettings settings;
+  settings.Throws = 50000;
+  const auto begin = std::chrono::steady_clock::now();
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(
+      ruc::SampleFans(pack, pack.NumberOfModes(), region, Grid, triples, settings, serial));
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  const double fan = seconds.count() / (static_cast<double>(state.iterations()) * settings.Throws);
+  const double plain = TimePlainTemplate(pack, region, triples, 20);
+  state.counters["s/throw"] = fan;
+  state.counters["template_s/throw"] = plain;
+  state.counters["times_cheaper"] = plain / fan;
+}
+BENCHMARK(Fans)->Unit(benchmark::kMillisecond);
 }
 
 BENCHMARK_MAIN();

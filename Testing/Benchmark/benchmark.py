@@ -72,6 +72,19 @@ for what, settings in (('32 directions', {'NumberOfDirections': 32}), ('radial d
     report('all S_rs and ' + what, '%.2f s' % (time.perf_counter() - begin))
 
 
+def three_point_job(**settings):
+    probability = ThreePointProbability(Input=modes, Phases='3 5 5; 7 7 5; m m m', MaximumLag=200, **settings)
+    before = megabytes()
+    begin = time.perf_counter()
+    probability.UpdatePipeline()
+    return '%.2f s  %.0f MB more' % (time.perf_counter() - begin, megabytes() - before)
+
+
+report('S_rsq of three triples, 5000 throws', three_point_job(NumberOfThrows=5000))
+report('the same, 50 000 throws', three_point_job())
+report('the same with standard errors', three_point_job(StandardErrors=1))
+
+
 def cell_job(**settings):
     cell = UnitCellReconstruction(Input=modes, NumberOfParticles=1082, MaximumLag=200, **settings)
     begin = time.perf_counter()

@@ -136,6 +136,72 @@ inline double LensVolume(double a, double b, double t)
   return simpson(from, crossing) + simpson(crossing, to);
 }
 
+/**
+ * Volume of the union of three spheres of radius a at the corners of a triangle with sides r1 and
+ * r2 and the angle theta between them. Over a point of the triangle's plane at a distance rho from
+ * the nearest corner the union has the height 2 sqrt(a^2 - rho^2). So of every sphere that is lost
+ * which lies beyond the bisectors towards the other corners: in a direction in which a bisector is
+ * rho away, 2/3 (a^2 - rho^2)^(3/2). The integral over directions, rho = h / cos(phi), is
+ * elementary.
+ */
+inline double UnionOfThree(double a, double r1, double r2, double theta)
+{
+  const double sphere = 4.0 / 3.0 * Pi * a * a * a;
+  const auto lost = [&](double h, double end)
+  {
+    if (h >= a)
+    {
+      return 0.0;
+    }
+    const double reach = std::sqrt(a * a - h * h), last = std::acos(h / a);
+    const auto primitive = [&](double phi)
+    {
+      const double s = std::clamp(h * std::tan(phi) / reach, -1.0, 1.0);
+      const double root = std::sqrt(1.0 - s * s);
+      return a * a * a * std::atan2(a * s, h * root) - a * a * h * std::asin(s) -
+        0.5 * h * reach * reach * (s * root + std::asin(s));
+    };
+    return 2.0 / 3.0 * (primitive(std::clamp(end, -last, last)) - primitive(-last));
+  };
+  const double corners[3][2] = { { 0.0, 0.0 }, { r1, 0.0 },
+    { r2 * std::cos(theta), r2 * std::sin(theta) } };
+  double sum = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    double x[2], y[2], h[2];
+    for (int n = 0; n < 2; ++n)
+    {
+      const int j = (i + 1 + n) % 3;
+      x[n] = corners[j][0] - corners[i][0];
+      y[n] = corners[j][1] - corners[i][1];
+      h[n] = 0.5 * std::hypot(x[n], y[n]);
+    }
+    for (int n = 0; n < 2; ++n)
+    {
+      if (h[n] == 0.0)
+      {
+        return 2.0 * sphere - LensVolume(a, a, 2.0 * h[1 - n]); // two corners coincide
+      }
+    }
+    // From the direction of a corner, towards the other one, up to where the bisectors cross
+    const double angle = std::atan2(std::abs(x[0] * y[1] - x[1] * y[0]), x[0] * x[1] + y[0] * y[1]);
+    sum += sphere;
+    for (int n = 0; n < 2; ++n)
+    {
+      sum -= lost(h[n], std::atan2(h[1 - n] - h[n] * std::cos(angle), h[n] * std::sin(angle)));
+    }
+  }
+  return sum;
+}
+
+/** Volume common to the same three spheres. */
+inline double CommonToThree(double a, double r1, double r2, double theta)
+{
+  const double r3 = std::sqrt(std::max(r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * std::cos(theta), 0.0));
+  return UnionOfThree(a, r1, r2, theta) - 4.0 * Pi * a * a * a + LensVolume(a, a, r1) +
+    LensVolume(a, a, r2) + LensVolume(a, a, r3);
+}
+
 /** Mean of the lens volume over all directions of the lag: 1/2 integral over mu of V(sqrt(d^2 + r^2
  * - 2 d r mu)). */
 inline double AveragedLens(double a, double b, double r, double d)

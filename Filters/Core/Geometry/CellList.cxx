@@ -13,16 +13,17 @@ int CellList::Axis::CellOf(double c) const
   return std::clamp(static_cast<int>((c - this->Origin) / this->Width), 0, this->Count - 1);
 }
 
+// A reach may be that many cells of a narrow pack that their number is no int
 int CellList::Axis::FirstCell(double c, double reach) const
 {
-  const int cell = static_cast<int>(std::floor((c - reach - this->Origin) / this->Width));
-  return this->Periodic ? cell : std::max(cell, 0);
+  const double cell = std::floor((c - reach - this->Origin) / this->Width);
+  return static_cast<int>(this->Periodic ? cell : std::clamp(cell, 0.0, double(this->Count)));
 }
 
 int CellList::Axis::LastCell(double c, double reach) const
 {
-  const int cell = static_cast<int>(std::floor((c + reach - this->Origin) / this->Width));
-  return this->Periodic ? cell : std::min(cell, this->Count - 1);
+  const double cell = std::floor((c + reach - this->Origin) / this->Width);
+  return static_cast<int>(this->Periodic ? cell : std::clamp(cell, -1.0, this->Count - 1.0));
 }
 
 double CellList::Axis::DistanceTo(double c, int k) const

@@ -13,6 +13,11 @@ double OverlapPenalty(double percent, double half)
   return percent / (percent + half);
 }
 
+double Fitness(double objective, double worst, double overlapPercent, double half)
+{
+  return objective / worst + OverlapPenalty(overlapPercent, half);
+}
+
 std::vector<int> RankByFitness(const std::vector<double>& fitness)
 {
   std::vector<int> ranking(fitness.size());

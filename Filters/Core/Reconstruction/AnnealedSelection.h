@@ -19,6 +19,9 @@ namespace ruc
  */
 double OverlapPenalty(double percent, double half);
 
+/** Equation (15): F2 over that of the worst of the first population, plus the penalty. */
+double Fitness(double objective, double worst, double overlapPercent, double half);
+
 /** The members from the best to the worst; equal ones in their order. */
 std::vector<int> RankByFitness(const std::vector<double>& fitness);
 

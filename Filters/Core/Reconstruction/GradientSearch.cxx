@@ -78,14 +78,25 @@ public:
 
   UnitCell Run()
   {
+    // A search that is resumed may be at its end
+    const bool resumed = this->State.Descent.Iterations > 0;
     std::string endedBy = this->Stopped ? "Stopped" : "Maximum iterations";
+    bool descends = !this->Stopped && this->Settings.MaximumIterations > 0;
     if (this->MeetsTarget())
     {
       endedBy = "Target objective";
+      descends = resumed;
     }
-    else if (!this->Stopped && this->State.Descent.Iterations < this->Settings.MaximumIterations)
+    else if (this->State.Converged)
+    {
+      endedBy = "Converged";
+    }
+    else if (descends && this->State.Descent.Iterations < this->Settings.MaximumIterations)
     {
       endedBy = this->Descend();
+    }
+    if (descends)
+    {
       this->Keep(this->State.Descent.Place);
       this->RecordBest();
     }
@@ -208,9 +219,9 @@ private:
     }
     if (due)
     {
-      const bool converged = objective > (1.0 - LeastProgress) * this->State.Kept;
+      this->State.Converged = objective > (1.0 - LeastProgress) * this->State.Kept;
       this->State.Kept = objective;
-      if (converged)
+      if (this->State.Converged)
       {
         return "Converged";
       }

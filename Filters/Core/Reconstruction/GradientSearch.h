@@ -45,6 +45,7 @@ struct GradientState
   double StartObjective = 0.0;
   double Kept = 0.0;  // F2 when IterationsBetweenKept were last over
   double Tried = 0.0; // F2 at which a cell was last freed from overlap
+  bool Converged = false;
   std::vector<SearchState> Convergence;
 };
 

@@ -175,15 +175,14 @@ private:
     return { *low, std::accumulate(f2.begin(), f2.end(), 0.0) / f2.size(), *high };
   }
 
-  double FitnessOf(double objective, double overlapPercent) const
+  std::vector<double> FitnessOfAll() const
   {
-    return objective / this->State.First.Maximum +
-      OverlapPenalty(overlapPercent, this->Settings.HalfOverlap);
+    return this->State.Fitness(this->Settings.HalfOverlap);
   }
 
   int BestMember() const
   {
-    return RankByFitness(this->State.Fitness(this->Settings.HalfOverlap)).front();
+    return RankByFitness(this->FitnessOfAll()).front();
   }
 
   // ---- Generations ----
@@ -192,7 +191,7 @@ private:
   // then
   bool AdvanceGeneration()
   {
-    const double before = this->State.Fitness(this->Settings.HalfOverlap)[this->BestMember()];
+    const double before = this->FitnessOfAll()[this->BestMember()];
     bool poolRests = false;
     if (this->Settings.RefinementSteps > 0 && !this->RefineBest(poolRests))
     {
@@ -202,7 +201,7 @@ private:
     {
       return false;
     }
-    const double after = this->State.Fitness(this->Settings.HalfOverlap)[this->BestMember()];
+    const double after = this->FitnessOfAll()[this->BestMember()];
     this->State.Stagnation = after < before ? 0 : this->State.Stagnation + 1;
     this->State.Temperature *= this->Settings.CoolingFactor;
     if (this->State.Stagnation > 0 &&
@@ -218,7 +217,7 @@ private:
   // Select, alter and replace: Algorithm 1
   bool Breed()
   {
-    const std::vector<double> fitness = this->State.Fitness(this->Settings.HalfOverlap);
+    const std::vector<double> fitness = this->FitnessOfAll();
     RandomSequence random(this->Settings.Seed, SelectionStream, this->State.Generation);
     const std::vector<int> pool = DrawMatingPool(
       RankByFitness(fitness), this->Settings.MatingPool, this->Settings.SelectionPressure, random);
@@ -309,9 +308,10 @@ private:
   // Lets a child take its parent's place, `u` being drawn
   void Compete(Member& child, int parent, double u)
   {
-    const std::vector<double> fitness = this->State.Fitness(this->Settings.HalfOverlap);
+    const std::vector<double> fitness = this->FitnessOfAll();
     const int best = RankByFitness(fitness).front();
-    const double own = this->FitnessOf(child.Objective, child.OverlapPercent);
+    const double own = Fitness(
+      child.Objective, this->State.First.Maximum, child.OverlapPercent, this->Settings.HalfOverlap);
     const bool accepted = u < AcceptanceProbability(own, fitness[parent], this->State.Temperature);
     if (own < fitness[best] || (accepted && parent != best))
     {
@@ -483,8 +483,8 @@ std::vector<double> PopulationState::Fitness(double halfOverlap) const
   std::vector<double> fitness;
   for (std::size_t i = 0; i < this->Objective.size(); ++i)
   {
-    fitness.push_back(this->Objective[i] / this->First.Maximum +
-      OverlapPenalty(this->OverlapPercent[i], halfOverlap));
+    fitness.push_back(
+      ruc::Fitness(this->Objective[i], this->First.Maximum, this->OverlapPercent[i], halfOverlap));
   }
   return fitness;
 }

@@ -77,6 +77,7 @@ public:
     this->Put(state.StartObjective);
     this->Put(state.Kept);
     this->Put(state.Tried);
+    this->Put(state.Converged);
     this->Put(state.Convergence);
   }
   void Put(const PopulationState& state)
@@ -156,6 +157,7 @@ public:
     this->Get(state.StartObjective);
     this->Get(state.Kept);
     this->Get(state.Tried);
+    this->Get(state.Converged);
     this->Get(state.Convergence);
   }
   void Get(PopulationState& state)

@@ -16,8 +16,8 @@ namespace
 {
 // At 2^31 throws there are 2^21 batches, and with up to 2^9 rays no N_b exceeds 2^20: sums of
 // squares stay below 2^61
-constexpr int MostThrowsInBatch = 1024, FewestBatchesOfThrows = 64, MostDirections = 512,
-              MostLags = 20000;
+constexpr int MostThrowsInBatch = 1024, FewestBatchesForErrors = 64, FewestBatchesForRanks = 16,
+              MostDirections = 512, MostLags = 20000;
 constexpr std::int64_t MostThrows = std::int64_t(1) << 31;
 
 // A fan traced: which lags of its rays lie in the phases that play a part. Along a ray a phase
@@ -100,8 +100,9 @@ public:
     this->Counts.Grid = grid;
     this->Counts.WithErrors = settings.WithErrors;
     this->Counts.Throws = settings.Throws;
-    this->ThrowsInBatch = std::clamp<std::int64_t>(
-      (settings.Throws + FewestBatchesOfThrows - 1) / FewestBatchesOfThrows, 1, MostThrowsInBatch);
+    const int fewest = settings.WithErrors ? FewestBatchesForErrors : FewestBatchesForRanks;
+    this->ThrowsInBatch =
+      std::clamp<std::int64_t>((settings.Throws + fewest - 1) / fewest, 1, MostThrowsInBatch);
     this->Counts.Batches = (settings.Throws + this->ThrowsInBatch - 1) / this->ThrowsInBatch;
     for (const PhaseTriple& triple : triples)
     {
@@ -186,7 +187,7 @@ private:
     this->Allocate(counted.Products, this->Settings.WithErrors);
     if (this->Settings.WithErrors && phases.R == phases.S && phases.S == phases.Q)
     {
-      counted.Parameters.assign(this->Counts.Batches, { 0.0, 0.0 });
+      counted.Integrals.assign(this->Counts.Batches, { 0.0, 0.0, 0.0 });
     }
     this->Counts.Triples.push_back(std::move(counted));
     this->Tables.push_back(
@@ -409,7 +410,7 @@ private:
         this->AddSlice(n / angles, static_cast<int>(n % angles), to - from);
       }
     }
-    this->FindParameters(batch, to - from);
+    this->FindIntegrals(batch, to - from);
     for (Table& table : this->Tables)
     {
       std::fill(table.Batch.begin(), table.Batch.end(), 0);
@@ -498,13 +499,13 @@ private:
     }
   }
 
-  // Third-order parameters of a batch by itself
-  void FindParameters(std::int64_t batch, std::int64_t throws)
+  // What third-order parameters are made of, of a batch by itself
+  void FindIntegrals(std::int64_t batch, std::int64_t throws)
   {
     for (std::size_t n = 0; n < this->Counts.Triples.size(); ++n)
     {
-      std::vector<ThirdOrderParameters>& parameters = this->Counts.Triples[n].Parameters;
-      if (parameters.empty())
+      std::vector<ThirdOrderIntegrals>& integrals = this->Counts.Triples[n].Integrals;
+      if (integrals.empty())
       {
         continue;
       }
@@ -518,7 +519,7 @@ private:
       const double fraction = number[0] / denominator(0);
       // Where a batch knows nothing, far apart, points are independent
       const double apart = fraction * fraction * fraction;
-      parameters[batch] = this->Rule.Evaluate(fraction,
+      integrals[batch] = this->Rule.Integrate(fraction,
         [&](std::size_t place)
         {
           const double all = denominator(place);
@@ -545,9 +546,9 @@ private:
       this->FinishSums(triple.Squares, false, symmetric);
       this->FinishSums(triple.Products, false, symmetric);
       // Every batch was one rank's
-      static_assert(sizeof(ThirdOrderParameters) == 2 * sizeof(double));
+      static_assert(sizeof(ThirdOrderIntegrals) == 3 * sizeof(double));
       this->Ranks.Share(
-        reinterpret_cast<double*>(triple.Parameters.data()), 2 * triple.Parameters.size());
+        reinterpret_cast<double*>(triple.Integrals.data()), 3 * triple.Integrals.size());
     }
   }
 

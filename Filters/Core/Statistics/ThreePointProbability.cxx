@@ -21,23 +21,6 @@ std::string PhaseName(int phase, int modes)
 {
   return phase == modes ? "m" : std::to_string(phase + 1);
 }
-
-double StandardErrorOfMean(
-  const std::vector<ThirdOrderParameters>& batches, double ThirdOrderParameters::*parameter)
-{
-  double sum = 0.0, squares = 0.0, count = 0.0;
-  for (const ThirdOrderParameters& batch : batches)
-  {
-    sum += batch.*parameter;
-    ++count;
-  }
-  for (const ThirdOrderParameters& batch : batches)
-  {
-    const double difference = batch.*parameter - sum / count;
-    squares += difference * difference;
-  }
-  return count > 1.0 ? std::sqrt(squares / (count * (count - 1.0))) : NotANumber;
-}
 }
 
 std::vector<PhaseTriple> ParseTriples(const std::string& text, int modes)
@@ -161,23 +144,28 @@ double ThreePointProbability::Error(std::size_t triple, int k1, int k2, int t) c
   return std::sqrt(std::max(squares, 0.0) * batches / (batches - 1.0)) / denominator;
 }
 
-ThirdOrderParameters ThreePointProbability::ThirdOrder(std::size_t triple) const
+ThirdOrderIntegrals ThreePointProbability::IntegralsOf(std::size_t triple) const
 {
   const ThreePointGrid& grid = this->GetGrid();
   const std::vector<std::int64_t>& sum = this->Counts.Triples[this->Sources[triple].Triple].Sum;
-  return ThirdOrderRule(grid).Evaluate(this->Value(triple, 0, 0, 0),
+  const double fraction = this->Value(triple, 0, 0, 0);
+  return ThirdOrderRule(grid).Integrate(fraction,
     [&](std::size_t place)
     {
-      return sum[place] /
+      const double all =
         this->Counts.Denominator(place, static_cast<int>(place / grid.SliceSize()));
+      return all > 0.0 ? sum[place] / all : fraction * fraction * fraction;
     });
+}
+
+ThirdOrderParameters ThreePointProbability::ThirdOrder(std::size_t triple) const
+{
+  return ThirdOrderRule::Parameters(this->IntegralsOf(triple));
 }
 
 ThirdOrderParameters ThreePointProbability::ThirdOrderError(std::size_t triple) const
 {
-  const std::vector<ThirdOrderParameters>& batches =
-    this->Counts.Triples[this->Sources[triple].Triple].Parameters;
-  return { StandardErrorOfMean(batches, &ThirdOrderParameters::Zeta),
-    StandardErrorOfMean(batches, &ThirdOrderParameters::Eta) };
+  return ThirdOrderRule::StandardErrors(
+    this->IntegralsOf(triple), this->Counts.Triples[this->Sources[triple].Triple].Integrals);
 }
 }

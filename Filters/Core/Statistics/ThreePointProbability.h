@@ -51,10 +51,10 @@ struct ThreePointCounts
 
   struct Triple
   {
-    PhaseTriple Phases;                           // s <= q
-    std::vector<std::int64_t> Sum;                // over batches, of N_b
-    std::vector<std::int64_t> Squares, Products;  // of N_b^2 and N_b D_b, with errors
-    std::vector<ThirdOrderParameters> Parameters; // of every batch, with errors and for r = s = q
+    PhaseTriple Phases;                          // s <= q
+    std::vector<std::int64_t> Sum;               // over batches, of N_b
+    std::vector<std::int64_t> Squares, Products; // of N_b^2 and N_b D_b, with errors
+    std::vector<ThirdOrderIntegrals> Integrals;  // of every batch, with errors and for r = s = q
   };
   std::vector<Triple> Triples;
   // Sums over batches of D_b and D_b^2; empty where every point is in the region, so that D_b is
@@ -93,9 +93,13 @@ public:
    * with a single batch. */
   double Error(std::size_t triple, int k1, int k2, int t) const;
 
-  /** Zeta and eta of the phase of a triple r = s = q; see ThirdOrderRule. */
+  /**
+   * Zeta and eta of the phase of a triple r = s = q; see ThirdOrderRule. Where no three points lay
+   * in the region, which are far apart, S_rrr is taken as c^3. Not numbers without throws in the
+   * phase, and for directions the rule does not take.
+   */
   ThirdOrderParameters ThirdOrder(std::size_t triple) const;
-  /** Their standard errors; not numbers where Error is not. */
+  /** Their standard errors; not numbers without errors and with a single batch. */
   ThirdOrderParameters ThirdOrderError(std::size_t triple) const;
 
 private:
@@ -105,6 +109,7 @@ private:
     bool Swapped;       // r1 and r2, where s > q
   };
   std::size_t PlaceOf(const Source& source, int k1, int k2, int t) const;
+  ThirdOrderIntegrals IntegralsOf(std::size_t triple) const;
 
   ThreePointCounts Counts;
   std::vector<PhaseTriple> Triples;
