@@ -167,7 +167,8 @@ class ThreePointPictures(Charts):
         views = []
         for n, (name, (values, errors, limit)) in enumerate(curves.items()):
             view = self.chart(f"r ({self.unit})", "probability", ticks(x[-1]), ticks(1.02 * highest))
-            view.ChartTitle, view.ChartTitleFontSize, view.LegendLocation = f"{name}: {where}", 22, "BottomRight"
+            view.ChartTitle, view.ChartTitleFontSize = f"{name}: {where}", 22
+            view.LegendLocation, view.LegendFontFamily = "BottomRight", "Times"  # in Arial with stray dashes, see chart
             edges = [a + b for a, b in zip(values, errors)] + [math.nan] + [a - b for a, b in zip(values, errors)]
             flat = "S_" + triple[2:].replace("_", "")
             self.plot(view, [(f"{flat} ± standard error", x + [math.nan] + x, edges, PALE, 1, 2, 0),
