@@ -24,7 +24,7 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
 
-from unit_cell import close, fetch, field, make_parser, pair, require, values_of
+from unit_cell import close, fetch, field, make_parser, pair, require, sort_spheres, values_of
 
 CHORDS, TEMPLATE = "Chord Sampling", "Template Sampling"
 TABLES = {}  # on this rank, by filter and port
@@ -51,8 +51,8 @@ class Job:
 
     def __init__(self, args):
         self.args = args
-        self.modes = self.sort(SpherePackReader(FileName=os.path.abspath(args.input), LengthUnit=args.unit, BoxOrigin=args.origin,
-                                                BoxSize=args.box))
+        self.modes = sort_spheres(SpherePackReader(FileName=os.path.abspath(args.input), LengthUnit=args.unit,
+                                                   BoxOrigin=args.origin, BoxSize=args.box), args)
         samples = {"NumberOfLines": args.lines, "NumberOfThrows": args.throws, "Seed": args.seed}
         self.one = {method: OnePointProbability(Input=self.modes, Method=method, **samples)
                     for method in ("Sphere Volumes", CHORDS, TEMPLATE)}
@@ -70,11 +70,6 @@ class Job:
             ("checks_exact.csv", self.exact, 1), ("checks_chords.csv", self.chords, 1), ("checks_template.csv", self.template, 1),
             ("gradients.csv", self.exact, 2), ("isotropy.csv", self.exact, 4),
             ("chord_lengths.csv", self.chords, 6), ("radial_distribution.csv", self.exact, 7), ("autocovariance.csv", self.exact, 8)]
-
-    def sort(self, pack):
-        if self.args.edges:
-            return ParticleModes(Input=pack, Method="Explicit Edges", Edges=self.args.edges)
-        return ParticleModes(Input=pack, NumberOfModes=self.args.modes)
 
     def path(self, name):
         return os.path.join(os.path.abspath(self.args.output), name)
@@ -106,24 +101,46 @@ def one_point(job):
     return table
 
 
+def whole_image(source, port):
+    """An image output of any number of ranks. Fetch brings one rank's slab of an image, with 6 digits of its spacing, but all of a point
+    cloud."""
+    slab, info = fetch(source, port), source.GetDataInformation(port)
+    extent, bounds = info.GetExtent(), info.GetBounds()
+    if tuple(slab.GetExtent()) == tuple(extent):
+        return slab
+    image, cloud = vtkImageData(), fetch(ConvertToPointCloud(Input=OutputPort(source, port)))
+    spacing = [(bounds[2 * q + 1] - bounds[2 * q]) / max(extent[2 * q + 1] - extent[2 * q], 1) for q in range(3)]
+    image.SetExtent(extent)
+    image.SetSpacing(spacing)
+    image.SetOrigin([bounds[2 * q] - spacing[q] * extent[2 * q] for q in range(3)])
+    image.SetFieldData(slab.GetFieldData())
+    arrays = []
+    for i in range(slab.GetPointData().GetNumberOfArrays()):
+        array = vtkDoubleArray()
+        array.SetName(slab.GetPointData().GetArrayName(i))
+        array.SetNumberOfValues(image.GetNumberOfPoints())
+        array.Fill(math.nan)
+        image.GetPointData().AddArray(array)
+        arrays.append((array, cloud.GetPointData().GetArray(array.GetName())))
+    # Row by row, along which x grows and y and z stay; most rows are as long as the one before
+    total, begin, length = cloud.GetNumberOfPoints(), 0, 1
+    while begin < total:
+        first = cloud.GetPoint(begin)
+        in_row = lambda i: (i < total and cloud.GetPoint(i)[1:] == first[1:] and
+                            round((cloud.GetPoint(i)[0] - first[0]) / spacing[0]) == i - begin)
+        length = length if in_row(begin + length - 1) else 1
+        while in_row(begin + length):
+            length += 1
+        index = [round((x - low) / step) for x, low, step in zip(first, image.GetOrigin(), spacing)]
+        for array, values in arrays:
+            array.InsertTuples(image.ComputePointId(index), length, begin, values)
+        begin += length
+    return image
+
+
 def fetch_map(job):
-    """The whole map. Fetch brings one rank's slab of an image, but all of a point cloud."""
     if not hasattr(job, "image"):
-        slab, n = fetch(job.map, 3), job.args.image_resolution
-        job.image = vtkImageData()
-        job.image.SetExtent(-n, n, -n, n, -n, n)
-        job.image.SetSpacing(slab.GetSpacing())
-        job.image.SetFieldData(slab.GetFieldData())
-        cloud = fetch(ConvertToPointCloud(Input=OutputPort(job.map, 3)))
-        places = [job.image.FindPoint(cloud.GetPoint(i)) for i in range(cloud.GetNumberOfPoints())]
-        for i in range(slab.GetPointData().GetNumberOfArrays()):
-            array = vtkDoubleArray()
-            array.SetName(slab.GetPointData().GetArrayName(i))
-            array.SetNumberOfValues(job.image.GetNumberOfPoints())
-            array.Fill(math.nan)
-            for place, value in zip(places, memoryview(cloud.GetPointData().GetArray(array.GetName()))):
-                array.SetValue(place, value)
-            job.image.GetPointData().AddArray(array)
+        job.image = whole_image(job.map, 3)
     return job.image
 
 
@@ -219,7 +236,7 @@ def blocks(job):
     if not hasattr(job, "octants"):
         args, half = job.args, [edge / 2 for edge in job.args.box]
         # A pack without a window, so that the filters take theirs
-        modes = job.sort(SpherePackReader(FileName=os.path.abspath(args.input), LengthUnit=args.unit))
+        modes = sort_spheres(SpherePackReader(FileName=os.path.abspath(args.input), LengthUnit=args.unit), args)
         diameter = max(table_of(job.modes, 1)["MaximumDiameter"])
         spacing = args.maximum_lag / args.lags
         job.block_lags = max(1, min(args.lags, int(0.99 * (min(half) - diameter) / spacing)))

@@ -26,8 +26,8 @@ FETCHED = {}  # outputs on this rank, by filter and port
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
-def make_parser(program, documentation):
-    """With the options of the pack and its modes, which the examples share."""
+def make_parser(program, documentation, division="Equal Width"):
+    """With the options of the pack and its modes, which the examples share; what the modes have in common by default."""
     parser = argparse.ArgumentParser(prog="pvbatch " + program, description=documentation.split("\n")[0],
                                      formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     pack = parser.add_argument_group("pack")
@@ -36,9 +36,17 @@ def make_parser(program, documentation):
     pack.add_argument("--box", type=float, nargs=3, default=[1445.372, 1287.892, 789.106], help="edges of the box of the centres")
     pack.add_argument("--unit", default="µm", help="unit of length")
     modes = parser.add_argument_group("modes")
-    modes.add_argument("--modes", type=int, default=9, help="number of modes of equal width")
+    modes.add_argument("--modes", type=int, default=9, help="number of modes")
+    modes.add_argument("--division", choices=["Equal Width", "Equal Volume"], default=division, help="what the modes have in common")
     modes.add_argument("--edges", type=float, nargs="+", default=[], help="or the diameters between the modes, ascending")
     return parser
+
+
+def sort_spheres(pack, args):
+    """The pack's spheres in the modes of these options."""
+    if args.edges:
+        return ParticleModes(Input=pack, Method="Explicit Edges", Edges=args.edges)
+    return ParticleModes(Input=pack, Method=args.division, NumberOfModes=args.modes)
 
 
 def parse_arguments():
@@ -63,10 +71,7 @@ class Job:
         self.args = args
         self.pack = SpherePackReader(FileName=os.path.abspath(args.input), LengthUnit=args.unit, BoxOrigin=args.origin,
                                      BoxSize=args.box)
-        if args.edges:
-            self.modes = ParticleModes(Input=self.pack, Method="Explicit Edges", Edges=args.edges)
-        else:
-            self.modes = ParticleModes(Input=self.pack, NumberOfModes=args.modes)
+        self.modes = sort_spheres(self.pack, args)
         self.one_point = OnePointProbability(Input=self.modes)
         self.two_point = TwoPointProbability(Input=self.modes, MaximumLag=args.maximum_lag, NumberOfLags=args.lags)
         self.cell = UnitCellReconstruction(Input=self.modes, NumberOfParticles=args.particles, MaximumLag=args.maximum_lag,

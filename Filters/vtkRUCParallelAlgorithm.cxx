@@ -74,7 +74,16 @@ int vtkRUCParallelAlgorithm::RequestUpdateExtent(
   {
     for (int n = 0; n < inputs[port]->GetNumberOfInformationObjects(); ++n)
     {
-      request(inputs[port]->GetInformationObject(n));
+      vtkInformation* info = inputs[port]->GetInformationObject(n);
+      request(info);
+      if (info->Has(Pipeline::WHOLE_EXTENT()))
+      {
+        // Of which the executive takes the piece; by default it is the extent asked of an image
+        // output, which may have another grid
+        int whole[6];
+        info->Get(Pipeline::WHOLE_EXTENT(), whole);
+        info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
+      }
     }
   }
   return 1;

@@ -111,6 +111,11 @@ void vtkRUCThreePointProbability::Execute(
       std::min((periodic ? 0.5 : 0.25) * edge, ruc::LargestFanLag(*region))),
     this->NumberOfDirections
   };
+  ruc::FanSettings settings;
+  settings.Seed = this->GetCheckedSeed();
+  settings.Throws = this->NumberOfThrows;
+  settings.WithErrors = this->StandardErrors;
+  ruc::CheckFans(*region, grid, settings);
   const double memory = this->EstimateMemory(triples.size(), !periodic, ranks.Size());
   if (!(memory <= this->MemoryLimit))
   {
@@ -128,10 +133,6 @@ void vtkRUCThreePointProbability::Execute(
   };
   progress(0.0, "tracing");
 
-  ruc::FanSettings settings;
-  settings.Seed = this->GetCheckedSeed();
-  settings.Throws = this->NumberOfThrows;
-  settings.WithErrors = this->StandardErrors;
   const ruc::ThreePointProbability probability =
     ruc::SampleFans(share.Own, modes, *region, grid, triples, settings, ranks, progress);
   const double overlap = ruc::MeasureOverlap(share, ranks).Percent;

@@ -7,10 +7,12 @@
  */
 #include "Packs.h"
 
+#include "vtkRUCCompareProbabilities.h"
 #include "vtkRUCOnePointProbability.h"
 #include "vtkRUCParticleModes.h"
 #include "vtkRUCPeriodicReplicas.h"
 #include "vtkRUCSpherePackReader.h"
+#include "vtkRUCThreePointProbability.h"
 #include "vtkRUCTwoPointProbability.h"
 #include "vtkRUCUnitCellReconstruction.h"
 
@@ -102,10 +104,15 @@ template <class Filter>
 void Refuses(const std::string& what, const std::vector<std::string>& parts,
   const ruc::SpherePack& good, const std::function<void(ruc::SpherePack&)>& spoil,
   const std::function<void(vtkPolyData*)>& spoilData = {},
-  const std::function<void(Filter*)>& spoilFilter = {}, bool periodic = true, double edge = Edge)
+  const std::function<void(Filter*)>& spoilFilter = {}, bool periodic = true, double edge = Edge,
+  const std::function<void(Filter*)>& configure = {})
 {
   vtkNew<Filter> filter;
   const Errors errors(filter);
+  if (configure)
+  {
+    configure(filter);
+  }
   const auto goodData = MakePolyData(good, Edge, periodic, Mine);
   filter->SetInputData(goodData);
   filter->Update();
@@ -129,6 +136,79 @@ void Refuses(const std::string& what, const std::vector<std::string>& parts,
   filter->SetInputData(badData);
   filter->Update();
   CheckRefusal(filter, errors, what, parts);
+}
+
+// A table of S_rs as Two-Point Probability gives it, on rank 0
+vtkSmartPointer<vtkTable> MakeTable(int modes, int lags, double spacing)
+{
+  auto table = vtkSmartPointer<vtkTable>::New();
+  if (Controller->GetLocalProcessId() > 0)
+  {
+    return table;
+  }
+  const auto add = [&](const std::string& name, double scale)
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name.c_str());
+    for (int k = 0; k <= lags; ++k)
+    {
+      column->InsertNextValue(scale * k);
+    }
+    table->AddColumn(column);
+  };
+  const auto phase = [=](int p) { return p == modes ? std::string("m") : std::to_string(p + 1); };
+  add("r", spacing);
+  for (int r = 0; r <= modes; ++r)
+  {
+    for (int s = r; s <= modes; ++s)
+    {
+      add("S_" + phase(r) + "_" + phase(s), 0.01 * (r + s + 1));
+    }
+  }
+  return table;
+}
+
+// An image as Three-Point Probability gives it; the slab of this rank
+vtkSmartPointer<vtkImageData> MakeImage(int lags, double spacing, const std::string& name)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  const int rank = Controller->GetLocalProcessId(), ranks = Controller->GetNumberOfProcesses();
+  image->SetExtent(0, lags, 0, lags, 4 * rank / ranks, 4 * (rank + 1) / ranks);
+  image->SetSpacing(spacing, spacing, 45.0);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName(name.c_str());
+  values->SetNumberOfValues(image->GetNumberOfPoints());
+  values->Fill(0.25);
+  image->GetPointData()->AddArray(values);
+  return image;
+}
+
+// Compares the input with the cells, in vain, and then with a good cell
+void RefusesComparison(const std::string& what, const std::vector<std::string>& parts,
+  vtkDataObject* input, const std::vector<vtkSmartPointer<vtkDataObject>>& cells,
+  vtkDataObject* goodInput, vtkDataObject* goodCell)
+{
+  vtkNew<vtkRUCCompareProbabilities> filter;
+  const Errors errors(filter);
+  filter->SetInputDataObject(0, input);
+  for (vtkDataObject* cell : cells)
+  {
+    filter->AddInputDataObject(1, cell);
+  }
+  filter->Update();
+  std::vector<std::string> all = parts;
+  all.push_back("Compare Probabilities");
+  CheckRefusal(filter, errors, what, all);
+
+  filter->RemoveAllCellConnections();
+  filter->SetInputDataObject(0, goodInput);
+  filter->AddInputDataObject(1, goodCell);
+  filter->Update();
+  if (Controller->GetLocalProcessId() == 0)
+  {
+    Check(errors.Texts.size() == 1, what + ": a good cell is taken");
+    Check(!IsEmpty(filter), what + ": a good cell gives a result");
+  }
 }
 
 void RefusesText(const std::string& what, const std::string& text,
@@ -395,6 +475,161 @@ int main(int argc, char* argv[])
       f->SetMethod(OnePoint::CHORD_SAMPLING);
       f->SetNumberOfLines(-4);
     });
+
+  // Three points
+  using ThreePoint = vtkRUCThreePointProbability;
+  const std::string three = "Three-Point Probability";
+  const auto refusesThree =
+    [&](const std::string& what, const std::vector<std::string>& parts,
+      const std::function<void(ThreePoint*)>& spoil, bool periodic = true)
+  {
+    std::vector<std::string> all = parts;
+    all.push_back(three);
+    // Few throws and lags, so that the good pack takes no time
+    Refuses<ThreePoint>(
+      what, all, pack, asIs, {}, [&](ThreePoint* f) { spoil(f); }, periodic, Edge,
+      [](ThreePoint* f)
+      {
+        f->SetNumberOfThrows(20);
+        f->SetNumberOfLags(8);
+        f->SetNumberOfDirections(4);
+      });
+  };
+  for (const char* phases : { "", "1", "1 2", "1 2 3 m", "0 1 1", "4 m m", "1 m x", "1,1,1", ";",
+         "1 1 1;; m m m", "1 1 1; 1 2", "all m", "-1 1 1", "1.5 1 1" })
+  {
+    refusesThree(std::string("triples '") + phases + "'", { "Phases requires", "got" },
+      [=](ThreePoint* f) { f->SetPhases(phases); });
+  }
+  refusesThree("no throws", { "NumberOfThrows requires a number from 1", "got 0" },
+    [](ThreePoint* f) { f->SetNumberOfThrows(0); });
+  for (int directions : { 1, 0, -4, 513 })
+  {
+    refusesThree("rays " + std::to_string(directions),
+      { "NumberOfDirections requires a number from 2 to 512", "got " + std::to_string(directions) },
+      [=](ThreePoint* f) { f->SetNumberOfDirections(directions); });
+  }
+  for (int lags : { 0, -5, 2000000000 })
+  {
+    refusesThree("lags " + std::to_string(lags),
+      { "NumberOfLags requires", "got " + std::to_string(lags) },
+      [=](ThreePoint* f) { f->SetNumberOfLags(lags); });
+  }
+  refusesThree("more lags than allowed", { "NumberOfLags requires a number from 1 to 20000" },
+    [](ThreePoint* f) { f->SetNumberOfLags(20001); });
+  refusesThree("negative lag", { "MaximumLag requires", "got -1" },
+    [](ThreePoint* f) { f->SetMaximumLag(-1.0); });
+  refusesThree(
+    "lag beyond the window", { "MaximumLag requires 0 < MaximumLag <= 5.3", "got 5.5" },
+    [](ThreePoint* f) { f->SetMaximumLag(5.5); }, false);
+  refusesThree("lag beyond the periodic box",
+    { "MaximumLag requires 0 < MaximumLag <= 48", "got 48.5" },
+    [](ThreePoint* f) { f->SetMaximumLag(48.5); });
+  refusesThree("seed", { "Seed requires", "got -1" }, [](ThreePoint* f) { f->SetSeed(-1); });
+  refusesThree(
+    "margin", { "WindowMargin requires", "got -2" },
+    [](ThreePoint* f) { f->SetWindowMargin(-2.0); }, false);
+  for (double limit : { 0.0, -1.0, nan, 0.01 })
+  {
+    refusesThree("memory " + std::to_string(limit),
+      { "MemoryLimit requires at least", "MB on every rank for 40 triples of phases", "100 lags" },
+      [=](ThreePoint* f)
+      {
+        f->SetPhases("all");
+        f->SetNumberOfLags(100);
+        f->SetMemoryLimit(limit);
+      });
+  }
+  const auto giveMask = [](ThreePoint* f)
+  {
+    f->SetInputDataObject(
+      1, MakeMask(Edge, Controller->GetLocalProcessId(), Controller->GetNumberOfProcesses()));
+  };
+  refusesThree(
+    "mask of a periodic pack", { "Mask requires a pack that is not periodic" }, giveMask);
+  refusesThree(
+    "mask that misses the pack", { "Mask requires at least one centre of the pack inside" },
+    [&](ThreePoint* f)
+    {
+      giveMask(f);
+      vtkImageData::SafeDownCast(f->GetInputDataObject(1, 0))->SetOrigin(100.0, 0.0, 0.0);
+    },
+    false);
+
+  // Comparisons
+  using Data = vtkSmartPointer<vtkDataObject>;
+  const auto table = MakeTable(2, 10, 0.5);
+  const auto refusesTable = [&](const std::string& what, const std::vector<std::string>& parts,
+                              const std::function<void(vtkTable*)>& spoil)
+  {
+    const auto bad = MakeTable(2, 10, 0.5);
+    if (Controller->GetLocalProcessId() == 0)
+    {
+      spoil(bad);
+    }
+    std::vector<std::string> ofCell = parts, ofInput = parts;
+    ofCell.push_back("Cell requires");
+    ofInput.push_back("Input requires");
+    RefusesComparison(what + " of the cell", ofCell, table, { Data(bad) }, table, table);
+    RefusesComparison(
+      what + " of the second cell", ofCell, table, { Data(table), Data(bad) }, table, table);
+    RefusesComparison(what + " of the pack", ofInput, bad, { Data(table) }, table, table);
+  };
+  refusesTable("missing column", { "S_1_1, S_1_2, … S_m_m", "'S_2_m'" },
+    [](vtkTable* t)
+    {
+      t->RemoveColumnByName("S_2_m");
+      vtkNew<vtkDoubleArray> other; // as many columns
+      other->SetName("other");
+      other->SetNumberOfValues(t->GetNumberOfRows());
+      other->Fill(0.0);
+      t->AddColumn(other);
+    });
+  refusesTable("missing columns", { "6 unordered pairs", "got 5 columns" },
+    [](vtkTable* t)
+    {
+      t->RemoveColumnByName("S_2_m");
+      t->RemoveColumnByName("S_m_m");
+    });
+  refusesTable("no r", { "got none 'r'" }, [](vtkTable* t) { t->RemoveColumnByName("r"); });
+  refusesTable("no rows", { "a table with rows, got none" }, [](vtkTable* t) { t->Initialize(); });
+  refusesTable("one row", { "at least two rows", "got 1" },
+    [](vtkTable* t) { t->SetNumberOfRows(1); });
+  refusesTable("not a number", { "finite numbers, got nan in column S_1_2, row 3" },
+    [=](vtkTable* t) { t->SetValueByName(3, "S_1_2", vtkVariant(nan)); });
+  refusesTable("uneven lags", { "lags 0, dr, 2 dr", "in row 4, where 2 is due" },
+    [](vtkTable* t) { t->SetValueByName(4, "r", vtkVariant(2.1)); });
+  refusesTable("text", { "of numbers, got none 'S_m_m'" },
+    [](vtkTable* t)
+    {
+      t->RemoveColumnByName("S_m_m");
+      vtkNew<vtkStringArray> text;
+      text->SetName("S_m_m");
+      text->SetNumberOfValues(t->GetNumberOfRows());
+      t->AddColumn(text);
+    });
+  const auto refusesCells = [&](const std::string& what, const std::vector<std::string>& parts,
+                              const std::vector<Data>& cells)
+  { RefusesComparison(what, parts, table, cells, table, table); };
+  refusesCells("other number of lags", { "the lags of the input, 10 steps to 5", "got 11 to 5.5" },
+    { Data(MakeTable(2, 11, 0.5)) });
+  refusesCells("other lags", { "the lags of the input, 10 steps to 5", "got 10 to 6" },
+    { Data(MakeTable(2, 10, 0.6)) });
+  refusesCells("other modes", { "the modes of the input, 2, got 3" },
+    { Data(table), Data(MakeTable(3, 10, 0.5)) });
+  const auto image = MakeImage(6, 0.5, "S_1_1_1");
+  refusesCells("image against table", { "a table, got an image" }, { Data(image) });
+  const auto refusesImages = [&](const std::string& what, const std::vector<std::string>& parts,
+                               const std::vector<Data>& cells)
+  { RefusesComparison(what, parts, image, cells, image, image); };
+  refusesImages("table against image", { "an image, got a table" }, { Data(table) });
+  refusesImages("two images", { "one image, got 2" }, { Data(image), Data(image) });
+  refusesImages("larger image", { "an image of the input's size", "NumberOfLags" },
+    { Data(MakeImage(7, 0.5, "S_1_1_1")) });
+  refusesImages("other spacing", { "the spacing of the input, 0.5, got 0.6", "MaximumLag" },
+    { Data(MakeImage(6, 0.6, "S_1_1_1")) });
+  refusesImages("other array", { "an array of the input's names, got none" },
+    { Data(MakeImage(6, 0.5, "S_m_m_m")) });
 
   // The cell
   const std::string cell = "Unit Cell Reconstruction";

@@ -25,6 +25,10 @@ struct FanSettings
  * the shortest edge of the region, so that two opposite rays have room in every direction. */
 double LargestFanLag(const SamplingRegion& region);
 
+/** Throws std::invalid_argument for settings, lags or directions out of range, as SampleFans does. */
+void CheckFans(
+  const SamplingRegion& region, const ThreePointGrid& grid, const FanSettings& settings);
+
 /** Bytes that SampleFans takes on every rank for so many triples, and its result keeps: `bounded`
  * where the region has a border. */
 double EstimateFanMemory(
