@@ -22,14 +22,23 @@ one_point = pv.OnePointProbability(Input=modes)
 two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=40)
 chords = pv.TwoPointProbability(Input=modes, NumberOfLags=40, Method="Chord Sampling", NumberOfLines=500)
 cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags=40, MaximumIterations=10)
+cells = pv.UnitCellReconstruction(Input=two_point, ModeDiameters=[1.2, 1.7, 2.3], ModeCounts=[16, 10, 4], Method="Hybrid", HybridPopulation=2,
+                                  MaximumGenerations=1, RefinementSteps=2, NumberOfCells=2)
+of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=40)
+three_point = pv.ThreePointProbability(Input=modes, Phases="1 2 m; m m m", MaximumLag=5, NumberOfLags=20, NumberOfThrows=200, StandardErrors=1)
+of_cell_three = pv.ThreePointProbability(Input=cell, Phases="m m m; 1 2 m", MaximumLag=5, NumberOfLags=20, NumberOfThrows=200)
+comparison = pv.CompareProbabilities(Input=two_point, Cell=[of_cell, two_point])
+images = pv.CompareProbabilities(Input=three_point, Cell=of_cell_three)
 replicas = pv.PeriodicReplicas(Input=cell)
 
-OUTPUTS = {"modes": (modes, 2), "one point": (one_point, 1), "two point": (two_point, 3), "chords": (chords, 3),
-           "cell": (cell, 3), "replicas": (replicas, 1)}
+# The images of three-point probabilities lie in slabs over the ranks; what they hold is in the other outputs, too.
+OUTPUTS = {"modes": (modes, (0, 1)), "one point": (one_point, (0,)), "two point": (two_point, (0, 1, 2)), "chords": (chords, (0, 1, 2)),
+           "cell": (cell, (0, 1, 2, 4, 5)), "cells": (cells, (0, 1, 2, 4, 5)), "three point": (three_point, (1, 2, 3)),
+           "comparison": (comparison, (0, 1)), "images": (images, (0,)), "replicas": (replicas, (0,))}
 lines = []
 for name, (source, ports) in OUTPUTS.items():
     source.UpdatePipeline()
-    for port in range(ports):
+    for port in ports:
         info = source.GetDataInformation(port)
         if info.GetDataSetTypeAsString() == "vtkTable":
             data = Fetch(source, 0, idx=port)  # rank 0's part, which must be all of it

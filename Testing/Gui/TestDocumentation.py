@@ -15,7 +15,8 @@ assert "TwoPointProbability" not in globals()
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
 LABELS = {"Sphere Pack Reader": "sources", "Particle Modes": "filters", "One-Point Probability": "filters",
-          "Two-Point Probability": "filters", "Unit Cell Reconstruction": "filters", "Periodic Replicas": "filters"}
+          "Two-Point Probability": "filters", "Three-Point Probability": "filters", "Compare Probabilities": "filters",
+          "Unit Cell Reconstruction": "filters", "Periodic Replicas": "filters"}
 failures = []
 manager = servermanager.ProxyManager().SMProxyManager
 for label, group in LABELS.items():
@@ -38,7 +39,7 @@ for label, group in LABELS.items():
         help_text = (documentation.GetDescription() if documentation else None) or ""
         if not help_text.strip():
             failures.append(f"{label}: {key} has no help text")
-        elif key not in ("Input", "FileName") and "Default:" not in help_text:
+        elif key not in ("Input", "Cell", "FileName") and not item.GetInformationOnly() and "Default:" not in help_text:
             failures.append(f"{label}: the help text of {key} does not say its default")
         # The label is what Python calls the property: it must be the name, spaced
         if item.GetXMLLabel().replace(" ", "") != key:

@@ -15,8 +15,9 @@ from ImageDifference import image_difference
 
 state, baseline, picture = sys.argv[1:]
 LoadState(state)
-reader, modes, cell, replicas, one_point, two_point = (FindSource(name) for name in (
-    "pack.csv", "ParticleModes1", "UnitCellReconstruction1", "PeriodicReplicas1", "OnePointProbability1", "TwoPointProbability1"))
+reader, modes, cell, replicas, one_point, two_point, three_point = (FindSource(name) for name in (
+    "pack.csv", "ParticleModes1", "UnitCellReconstruction1", "PeriodicReplicas1", "OnePointProbability1", "TwoPointProbability1",
+    "ThreePointProbability1"))
 view = FindViewOrCreate("RenderView1", "RenderView")
 
 assert list(reader.BoxSize) == [10.0, 10.0, 10.0] and list(reader.BoxPeriodic) == [1, 1, 1]
@@ -30,6 +31,8 @@ for source in reader, modes, cell, replicas:
 assert Fetch(replicas).GetNumberOfPoints() == 2 * Fetch(cell).GetNumberOfPoints() == 60
 assert Fetch(one_point).GetNumberOfRows() == 4
 assert Fetch(two_point).GetNumberOfRows() == two_point.NumberOfLags + 1 == 41
+assert Fetch(three_point).GetDimensions() == (21, 21, 11)
+assert Fetch(three_point).GetPointData().GetScalars().GetName() == "S_m_m_m"
 
 view.ViewSize = [400, 300]
 view.OrientationAxesVisibility = 0
