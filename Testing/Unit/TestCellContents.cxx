@@ -150,3 +150,54 @@ TEST(CellContents, TheLargestSphereNeedsRoom)
   EXPECT_SAYS(ruc::FindCellContents(ruc::SharePack(pack, Block), 13.0),
     "CellSize requires an edge longer than the largest sphere's diameter, 19");
 }
+
+TEST(CellContents, FromFractionsAndDiametersAsFromThePackThatHasThem)
+{
+  const ruc::SpherePack pack = Pack();
+  const ruc::PackShare share = ruc::SharePack(pack, Block);
+  std::vector<double> fractions = ruc::OnePointProbability(share), diameters;
+  fractions.pop_back(); // the matrix
+  for (double radius : ruc::ModeAmounts(share).Radius)
+  {
+    diameters.push_back(2.0 * radius);
+  }
+  const ruc::ModeAmounts amounts(fractions, diameters);
+  // The volume mean of all spheres
+  EXPECT_NEAR(amounts.MeanDiameter(), share.MeanDiameter(), 1e-12);
+  for (int mode = 0; mode < 3; ++mode)
+  {
+    EXPECT_NEAR(amounts.Fraction(mode), fractions[mode], 1e-15);
+  }
+  const ruc::CellContents given = ruc::FindCellContents(amounts, 12.34);
+  const ruc::CellContents expected = ruc::FindCellContents(share, 12.34);
+  EXPECT_EQ(given.Count, expected.Count);
+  EXPECT_NEAR(given.Edge, expected.Edge, 1e-12);
+  // The same from the counts
+  EXPECT_EQ(ruc::FindCellContents(amounts, given.Count).Edge, given.Edge);
+}
+
+TEST(CellContents, OfGivenCountsTheEdgeStillMinimisesTheDifference)
+{
+  const std::vector<double> fractions = { 0.1, 0.25 };
+  const ruc::ModeAmounts amounts(fractions, { 1.0, 2.0 });
+  const ruc::CellContents contents = ruc::FindCellContents(amounts, std::vector<int>{ 7, 4 });
+  EXPECT_EQ(contents.Count, (std::vector<int>{ 7, 4 }));
+  const double least = Difference(contents, fractions, contents.Edge);
+  for (double factor : { 0.9, 0.999, 1.001, 1.1 })
+  {
+    EXPECT_GT(Difference(contents, fractions, factor * contents.Edge), least) << factor;
+  }
+}
+
+TEST(CellContents, RefusesImpossibleFractionsDiametersAndCounts)
+{
+  using Numbers = std::vector<double>;
+  const ruc::ModeAmounts good({ 0.2, 0.3 }, { 1.0, 2.0 });
+  EXPECT_SAYS(ruc::ModeAmounts(Numbers{ 0.2, 0.3 }, Numbers{ 1.0 }), "each of the 2 modes, got 1");
+  EXPECT_SAYS(ruc::ModeAmounts(Numbers{}, Numbers{}), "got 0");
+  EXPECT_SAYS(ruc::ModeAmounts(Numbers{ 0.2, 0.3 }, Numbers{ 1.0, 0.0 }), "got 0 for mode 2");
+  EXPECT_SAYS(ruc::ModeAmounts(Numbers{ 0.2, 0.0 }, Numbers{ 1.0, 1.0 }), "got 0 of mode 2");
+  EXPECT_SAYS(ruc::ModeAmounts(Numbers{ 0.7, 0.4 }, Numbers{ 1.0, 1.0 }), "a sum of 1.1");
+  EXPECT_SAYS(ruc::FindCellContents(good, std::vector<int>{ 5 }), "each of the 2 modes, got 1");
+  EXPECT_SAYS(ruc::FindCellContents(good, std::vector<int>{ 5, 0 }), "got 0 for mode 2");
+}

@@ -4,6 +4,8 @@
 
 #include "Oracles.h"
 
+#include <limits>
+
 namespace
 {
 template <class Function>
@@ -109,4 +111,61 @@ TEST(TwoPointChecks, ChecksOfAConstructedMedium)
   }
   EXPECT_EQ(ruc::SaturationLength(probability, 0.001, 1.0), longest);
   EXPECT_TRUE(std::isnan(ruc::SaturationLength(probability, 1e-6, 1.0)));
+}
+
+namespace
+{
+// A medium of two modes whose phases are independent beyond lag 0: S_rs(r) = c_r c_s
+ruc::TwoPointProbability Independent()
+{
+  ruc::TwoPointProbability probability(2, { 0.5, 3 });
+  probability.Fractions = { 0.2, 0.3, 0.5 };
+  for (int r = 0; r < 3; ++r)
+  {
+    for (int s = r; s < 3; ++s)
+    {
+      const double both = probability.Fractions[r] * probability.Fractions[s];
+      probability.S(r, s).assign(4, both);
+      probability.S(r, s)[0] = r == s ? probability.Fractions[r] : 0.0;
+    }
+  }
+  return probability;
+}
+}
+
+TEST(RequireProbabilities, TakesWhatCanBe)
+{
+  EXPECT_NO_THROW(ruc::RequireProbabilities(Independent(), 1e-12));
+}
+
+TEST(RequireProbabilities, RefusesWhatCannotBe)
+{
+  const auto with = [](int r, int s, int k, double change)
+  {
+    ruc::TwoPointProbability probability = Independent();
+    probability.S(r, s)[k] += change;
+    return probability;
+  };
+  EXPECT_SAYS(ruc::RequireProbabilities(with(1, 1, 2, -0.2), 0.01),
+    "from 0 to 1, got -0.11 for S_2_2 at r = 1");
+  EXPECT_SAYS(ruc::RequireProbabilities(with(0, 2, 3, 1.0), 0.01),
+    "from 0 to 1, got 1.1 for S_1_m at r = 1.5");
+  EXPECT_SAYS(ruc::RequireProbabilities(with(0, 1, 1, 0.03), 0.01),
+    "add up to the fraction of phase 1, 0.2, at every lag, got 0.23 at r = 0.5");
+  EXPECT_SAYS(
+    ruc::RequireProbabilities(with(1, 1, 0, -0.3), 0.01), "fractions > 0, got 0 for S_2_2");
+  EXPECT_SAYS(
+    ruc::RequireProbabilities(with(0, 0, 1, std::numeric_limits<double>::quiet_NaN()), 0.01),
+    "got nan for S_1_1");
+  EXPECT_NO_THROW(ruc::RequireProbabilities(with(0, 1, 1, 0.03), 0.04));
+  // All that sums to each fraction, but the fractions not to 1
+  ruc::TwoPointProbability half = Independent();
+  for (std::vector<double>& values : half.Values)
+  {
+    for (double& value : values)
+    {
+      value *= 0.5;
+    }
+  }
+  EXPECT_SAYS(ruc::RequireProbabilities(half, 0.01), "that add up to 1, got 0.5");
 }
