@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -52,8 +53,61 @@ void RequireSameGrid(const ruc::TwoPointProbability& a, const ruc::TwoPointProba
   }
 }
 
+bool IsError(const std::string& name)
+{
+  return name.size() > 6 && name.compare(name.size() - 6, 6, "_error") == 0;
+}
+
+// The arrays of both images; on a rank without points, which may have none, those of the others
+std::vector<std::string> CommonArrays(
+  vtkImageData* pack, vtkImageData* cell, RankCommunicator& ranks)
+{
+  std::ostringstream own;
+  vtkPointData* points = pack->GetPointData();
+  for (int n = 0; pack->GetNumberOfPoints() > 0 && n < points->GetNumberOfArrays(); ++n)
+  {
+    vtkDataArray* a = points->GetArray(n);
+    vtkDataArray* b = a && a->GetName() ? cell->GetPointData()->GetArray(a->GetName()) : nullptr;
+    if (b && a->GetNumberOfComponents() == 1 && b->GetNumberOfComponents() == 1)
+    {
+      own << a->GetName() << '\n';
+    }
+  }
+  const std::string all = ranks.FirstText(own.str());
+  ranks.ThrowIfAny(pack->GetNumberOfPoints() > 0 && own.str() != all
+      ? "Cell requires images with the same arrays on all ranks."
+      : "");
+  std::vector<std::string> names;
+  std::istringstream lines(all);
+  for (std::string name; std::getline(lines, name);)
+  {
+    names.push_back(name);
+  }
+  if (names.empty())
+  {
+    throw std::invalid_argument("Cell requires an array of the input's names, got none.");
+  }
+  return names;
+}
+
+// The exponent of the least power of two beyond all finite magnitudes of both arrays on all ranks
+int FindExponent(vtkDataArray* a, vtkDataArray* b, RankCommunicator& ranks)
+{
+  double negative = 0.0;
+  for (vtkDataArray* array : { a, b })
+  {
+    for (vtkIdType n = 0; array && n < array->GetNumberOfTuples(); ++n)
+    {
+      const double magnitude = std::abs(array->GetTuple1(n));
+      negative = std::isfinite(magnitude) ? std::min(negative, -magnitude) : negative;
+    }
+  }
+  ranks.Minimum(&negative, 1);
+  return negative < 0.0 ? std::ilogb(-negative) + 1 : 0;
+}
+
 // A sum that is the same in whatever order and on however many ranks it is taken, of numbers of
-// magnitude up to 1
+// magnitude below 8
 class OrderlessSum
 {
 public:
@@ -68,7 +122,7 @@ public:
   }
 
 private:
-  static constexpr int Bits = 50;
+  static constexpr int Bits = 48;
   std::int64_t Limbs[2] = { 0, 0 };
 };
 }
@@ -193,16 +247,12 @@ void vtkRUCCompareProbabilities::CompareImages(vtkImageData* pack, vtkImageData*
   };
   ComparisonTables::Rows rows;
   double sums[3] = { 0.0, 0.0, 0.0 }, largestOfAll = 0.0;
-  for (int n = 0; n < pack->GetPointData()->GetNumberOfArrays(); ++n)
+  for (const std::string& name : CommonArrays(pack, cell, ranks))
   {
-    vtkDataArray* a = pack->GetPointData()->GetArray(n);
-    vtkDataArray* b = a ? cell->GetPointData()->GetArray(a->GetName()) : nullptr;
-    const std::string name = a && a->GetName() ? a->GetName() : "";
-    const bool isError = name.size() > 6 && name.compare(name.size() - 6, 6, "_error") == 0;
-    if (!b || a->GetNumberOfComponents() != 1 || b->GetNumberOfComponents() != 1)
-    {
-      continue;
-    }
+    vtkDataArray* a = pack->GetPointData()->GetArray(name.c_str());
+    vtkDataArray* b = cell->GetPointData()->GetArray(name.c_str());
+    const bool isError = IsError(name);
+    const int exponent = FindExponent(a, b, ranks);
     OrderlessSum norms[3];
     double largest = 0.0;
     vtkIdType place = 0;
@@ -213,9 +263,12 @@ void vtkRUCCompareProbabilities::CompareImages(vtkImageData* pack, vtkImageData*
         const double difference = isError ? std::hypot(x, y) : std::abs(x - y);
         if (!isError && std::isfinite(difference) && isOwn(i, j, k))
         {
-          norms[0].Add(x * x);
-          norms[1].Add(y * y);
-          norms[2].Add(difference * difference);
+          const double values[] = { x, y, difference };
+          for (int m = 0; m < 3; ++m)
+          {
+            const double scaled = std::ldexp(values[m], -exponent);
+            norms[m].Add(scaled * scaled);
+          }
           largest = std::max(largest, difference);
         }
         return difference;
@@ -229,16 +282,12 @@ void vtkRUCCompareProbabilities::CompareImages(vtkImageData* pack, vtkImageData*
     double norm[3];
     for (int m = 0; m < 3; ++m)
     {
-      norm[m] = std::sqrt(norms[m].Total(ranks));
+      norm[m] = std::ldexp(std::sqrt(norms[m].Total(ranks)), exponent);
       sums[m] += norm[m];
     }
     rows.Add(name, norm[0], norm[1], norm[2], -negative,
       ComparisonTables::Percent(norm[2], norm[0], norm[1]), 0.0);
     largestOfAll = std::max(largestOfAll, -negative);
-  }
-  if (image->GetPointData()->GetNumberOfArrays() == 0)
-  {
-    throw std::invalid_argument("Cell requires an array of the input's names, got none.");
   }
   rows.Add("all", sums[0], sums[1], sums[2], largestOfAll,
     ComparisonTables::Percent(sums[2], sums[0], sums[1]), 0.0);

@@ -479,9 +479,8 @@ int main(int argc, char* argv[])
   // Three points
   using ThreePoint = vtkRUCThreePointProbability;
   const std::string three = "Three-Point Probability";
-  const auto refusesThree =
-    [&](const std::string& what, const std::vector<std::string>& parts,
-      const std::function<void(ThreePoint*)>& spoil, bool periodic = true)
+  const auto refusesThree = [&](const std::string& what, const std::vector<std::string>& parts,
+                              const std::function<void(ThreePoint*)>& spoil, bool periodic = true)
   {
     std::vector<std::string> all = parts;
     all.push_back(three);
@@ -593,8 +592,8 @@ int main(int argc, char* argv[])
     });
   refusesTable("no r", { "got none 'r'" }, [](vtkTable* t) { t->RemoveColumnByName("r"); });
   refusesTable("no rows", { "a table with rows, got none" }, [](vtkTable* t) { t->Initialize(); });
-  refusesTable("one row", { "at least two rows", "got 1" },
-    [](vtkTable* t) { t->SetNumberOfRows(1); });
+  refusesTable(
+    "one row", { "at least two rows", "got 1" }, [](vtkTable* t) { t->SetNumberOfRows(1); });
   refusesTable("not a number", { "finite numbers, got nan in column S_1_2, row 3" },
     [=](vtkTable* t) { t->SetValueByName(3, "S_1_2", vtkVariant(nan)); });
   refusesTable("uneven lags", { "lags 0, dr, 2 dr", "in row 4, where 2 is due" },

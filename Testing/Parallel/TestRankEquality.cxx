@@ -118,8 +118,8 @@ void CheckSlab(vtkImageData* slab, vtkImageData* whole, const std::string& what)
 }
 
 // One output on all ranks against that of this rank alone: slabs of an image, else whole on rank 0
-void CheckOutput(
-  vtkMPIController* controller, vtkDataObject* got, vtkDataObject* expected, const std::string& what)
+void CheckOutput(vtkMPIController* controller, vtkDataObject* got, vtkDataObject* expected,
+  const std::string& what)
 {
   if (auto* image = vtkImageData::SafeDownCast(got))
   {
@@ -202,8 +202,8 @@ void Compare(vtkMPIController* controller, const std::string& name, vtkPolyData*
   }
 }
 
-// Compares output 0 of a probability filter with those of `cells` others that differ by their seeds:
-// on all ranks, and alone
+// Compares output 0 of a probability filter with those of `cells` others that differ by their
+// seeds: on all ranks, and alone
 template <class Filter>
 void CompareComparisons(vtkMPIController* controller, const std::string& name, vtkPolyData* piece,
   vtkPolyData* whole, int cells, int emptyPort, const std::function<void(Filter*)>& configure)
@@ -343,8 +343,8 @@ int main(int argc, char* argv[])
             f->SetNumberOfDirections(3);
             f->SetNumberOfThrows(50);
           });
-        CompareComparisons<vtkRUCThreePointProbability>(controller, "compared images, " + name, piece,
-          whole, 1, 1, threePoint);
+        CompareComparisons<vtkRUCThreePointProbability>(
+          controller, "compared images, " + name, piece, whole, 1, 1, threePoint);
         CompareComparisons<vtkRUCTwoPointProbability>(controller, "compared tables, " + name, piece,
           whole, 3, 2,
           [](auto* f)

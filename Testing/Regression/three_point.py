@@ -364,6 +364,13 @@ def comparisons():
     expect_error(source, ["Cell requires an array of the input's names, got none"])
     three[1].Phases = '1 2 2; m m m'
     assert points(source, 2) == difference
+    # Images of one voxel, which two ranks cannot share: the rank without points has no arrays
+    small = {'NumberOfLags': 1, 'MaximumLag': 1, 'NumberOfDirections': 2, 'NumberOfThrows': 50}
+    tiny = [Calculator(Input=ThreePointProbability(Input=pack, **small), ResultArrayName='More', Function='300*S_m_m_m')
+            for pack in packs[:2]]
+    rows = columns(CompareProbabilities(Input=tiny[0], Cell=[tiny[1]]))
+    assert rows['Quantity'] == ['S_m_m_m', 'More', 'all'] and abs(rows['Pack'][1] / rows['Pack'][0] - 300.0) < 1e-9, rows
+    remember('tiny images', itertools.chain(*rows.values()))
 
 
 def main():

@@ -25,7 +25,8 @@ struct FanSettings
  * the shortest edge of the region, so that two opposite rays have room in every direction. */
 double LargestFanLag(const SamplingRegion& region);
 
-/** Throws std::invalid_argument for settings, lags or directions out of range, as SampleFans does. */
+/** Throws std::invalid_argument for settings, lags or directions out of range, as SampleFans does.
+ */
 void CheckFans(
   const SamplingRegion& region, const ThreePointGrid& grid, const FanSettings& settings);
 
