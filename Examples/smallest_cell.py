@@ -117,25 +117,26 @@ def check_all(args, table):
 
 
 def draw(args, table):
-    from convergence import powers  # only here, since drawing is not wanted elsewhere
-    from statistics_pictures import Charts
+    from statistics_pictures import Charts  # only here, since drawing is not wanted elsewhere
 
     charts, sizes = Charts(args.output), table["Spheres"]
 
     def draw_one(name, title, series):
         values = [value for _, column, *_ in series for value in table[column] if value > 0.0]
+        decades = [digit * 10.0**e for e in range(-9, 10) for digit in (1, 2, 5)]
+        low, high = max(v for v in decades if v <= min(values)), min(v for v in decades if v >= max(values))
         ends = [min(sizes) / 1.25, *sizes, max(sizes) * 1.25]
-        view = charts.chart(f"spheres in the cell (edge in {args.unit})", title, ends, powers(values), logarithmic=True)
+        view = charts.chart(f"spheres in the cell (edge in {args.unit})", title, ends, [v for v in decades if low <= v <= high], logarithmic=True)
         view.BottomAxisLabels = [text for size, edge in zip(sizes, table["Edge"]) for text in (repr(size), f"{size:.0f} ({edge:.0f})")]
+        view.ShowLegend = int(len(series) > 1)
         charts.plot(view, [(label, sizes, table[column], *style) for label, column, *style in series])
         charts.save(view, name)
 
     draw_one("smallest_cell.png", "F2, and differences in %",
-             [(f"F2, mean of {args.cells} cells", "ObjectiveMean", "#222222", 1, 2, 4),
-              ("F2, least", "ObjectiveMinimum", "#999999", 2, 1, 0), ("F2, greatest", "ObjectiveMaximum", "#999999", 3, 1, 0),
+             [("S_rs, eq. 17, each cell, %", "CellDifferencePercent", "#0077bb", 1, 2, 4),
+              (f"S_rs, eq. 17, mean of {args.cells} cells, %", "MeanDifferencePercent", "#33bbee", 2, 2, 1),
               ("volume fractions, eq. 16, worst mode, %", "LargestFractionPercent", "#bb3344", 1, 2, 4),
-              ("S_rs, eq. 17, each cell, %", "CellDifferencePercent", "#0077bb", 1, 2, 4),
-              (f"S_rs, eq. 17, mean of {args.cells} cells, %", "MeanDifferencePercent", "#33bbee", 2, 2, 4)])
+              (f"F2, mean of {args.cells} cells", "ObjectiveMean", "#222222", 1, 2, 4)])
     draw_one("smallest_cell_time.png", f"processor seconds for {args.iterations} iterations, one cell",
              [("seconds", "SecondsPerCell", "#0077bb", 1, 2, 4)])
 
