@@ -221,6 +221,17 @@ void vtkRUCUnitCellReconstruction::ValidateProperties() const
   require(this->TargetObjective >= 0.0, "TargetObjective", "a number >= 0", this->TargetObjective);
   require(this->TimeLimit >= 0.0, "TimeLimit", "a number of seconds >= 0", this->TimeLimit);
   require(this->Seed >= 0, "Seed", "a number >= 0", this->Seed);
+  // ruc::CheckSettings knows these by other names, and takes no steps for an annealed population
+  if (this->Method == HYBRID)
+  {
+    require(
+      this->HybridPopulation >= 2, "HybridPopulation", "a number >= 2", this->HybridPopulation);
+    require(this->HybridMatingPool >= 1 && this->HybridMatingPool <= this->HybridPopulation,
+      "HybridMatingPool", "a number from 1 to HybridPopulation", this->HybridMatingPool);
+    require(this->HybridMutationReach > 0.0 && this->HybridMutationReach <= 1.0,
+      "HybridMutationReach", "a number > 0, <= 1", this->HybridMutationReach);
+    require(this->RefinementSteps >= 1, "RefinementSteps", "a number >= 1", this->RefinementSteps);
+  }
 }
 
 ruc::ModeAmounts vtkRUCUnitCellReconstruction::FindAmounts(const ruc::ModeAmounts& ofInput) const

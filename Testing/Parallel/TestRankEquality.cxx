@@ -18,6 +18,7 @@
 #include "vtkCommunicator.h"
 #include "vtkImageData.h"
 #include "vtkMPIController.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkTable.h"
 
 #include <omp.h>
@@ -64,6 +65,17 @@ std::vector<double> Numbers(vtkFieldData* fields)
 std::vector<double> Numbers(vtkDataObject* data)
 {
   std::vector<double> numbers;
+  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+  {
+    for (unsigned int n = 0; n < blocks->GetNumberOfBlocks(); ++n)
+    {
+      const std::vector<double> more = Numbers(blocks->GetBlock(n));
+      numbers.insert(numbers.end(), more.begin(), more.end());
+    }
+    const std::vector<double> more = Numbers(blocks->GetFieldData());
+    numbers.insert(numbers.end(), more.begin(), more.end());
+    return numbers;
+  }
   const auto add = [&](vtkFieldData* fields)
   {
     const std::vector<double> more = Numbers(fields);
@@ -381,6 +393,27 @@ int main(int argc, char* argv[])
             f->SetNumberOfParticles(60);
             f->SetMaximumIterations(120);
           });
+        // Three cells in as many groups of ranks as there are, by every method; once is enough of
+        // what the pack has to do with it
+        for (int method = 0; method < 3 && periodic && pack.Radius == fewSizes.Radius; ++method)
+        {
+          Compare<vtkRUCUnitCellReconstruction>(controller,
+            "cells by method " + std::to_string(method) + ", " + name, piece, whole,
+            [&](auto* f)
+            {
+              f->SetMethod(method);
+              f->SetNumberOfCells(3);
+              f->SetNumberOfLags(20);
+              f->SetNumberOfParticles(40);
+              f->SetMaximumIterations(20);
+              f->SetMaximumGenerations(4);
+              f->SetPopulation(7);
+              f->SetMatingPool(5);
+              f->SetHybridPopulation(5);
+              f->SetHybridMatingPool(3);
+              f->SetRefinementSteps(4);
+            });
+        }
         if (periodic)
         {
           Compare<vtkRUCPeriodicReplicas>(
