@@ -378,14 +378,23 @@ def check_throws(job):
                     f"{triple} of the {name} at {place} is {probability}, thrown {thrown}, standard error {error}")
 
 
+def hat_integrals(lags, step):
+    """Weights of the lags in the integral of f(r) / r dr, f linear between every step-th lag and 0 at r = 0."""
+    nodes = [*range(0, lags, step), lags]
+    weights = [0.0] * (lags + 1)
+    weights[nodes[1]] = 1.0
+    for a, b in zip(nodes[1:], nodes[2:]):
+        weights[a] += b / (b - a) * math.log(b / a) - 1.0
+        weights[b] += 1.0 - a / (b - a) * math.log(b / a)
+    return weights
+
+
 def check_parameters(job):
     """third-order parameters against a quadrature of the image of our own, and from 0 to 1"""
     args, half = job.args, job.args.directions // 2
     if args.directions % 2 or half < 4:
         return
-    # Hat functions of r integrated over dr / r; at r = 0 the integral over the angle is 0
-    radial = [0.0] + [(1.0 - (k - 1) * math.log(k / max(k - 1, 1)) if k > 1 else 1.0) +
-                      ((k + 1) * math.log((k + 1) / k) - 1.0 if k < args.lags else 0.0) for k in range(1, args.lags + 1)]
+    rules = [(2.0, hat_integrals(args.lags, 1)), (-1.0, hat_integrals(args.lags, 2))]
     # The rule of Clenshaw and Curtis for cos theta
     angular = []
     for t in range(half + 1):
@@ -396,8 +405,9 @@ def check_parameters(job):
         values, table, integrals = job.values(name, triple), table_of(job.three[name], 3), {2: 0.0, 4: 0.0}
         for t in range(half + 1):
             x = math.cos(math.pi * t / half)
-            total = math.fsum(radial[k] * sum(a * b for a, b in zip(radial, values[job.place(0, k, t):job.place(args.lags + 1, k, t)]))
-                              for k in range(args.lags + 1))
+            rows = [values[job.place(0, k, t):job.place(args.lags + 1, k, t)] for k in range(args.lags + 1)]
+            total = math.fsum(factor * outer * sum(a * b for a, b in zip(radial, row))
+                              for factor, radial in rules for outer, row in zip(radial, rows) if outer)
             integrals[2] += angular[t] * (3.0 * x * x - 1.0) / 2.0 * total
             integrals[4] += angular[t] * (35.0 * x**4 - 30.0 * x * x + 3.0) / 8.0 * total
         phase, c = triple.split("_")[1], values[0]
