@@ -121,7 +121,7 @@ def print_summary(job, seconds):
         print_row(f"Run {table['Cell'][i]:.0f}", row,
                   f"{table['Seed'][i]:7.0f}{table['DifferencePercent'][i]:8.3f} %   {table['EndedBy'][i]}")
     print(f"improved by {improvement(rows):.1f} % on average, {seconds:.1f} s for all")
-    print("\nTable I of the paper (RECON3D on 2048 CPUs; populations of 512 at all times, in its own pack)")
+    print("\nTable I of the paper (RECON3D on 2048 CPUs, populations of 512, of its own pack)")
     for i, row in enumerate(PAPER):
         print_row(f"Run {i + 1}", row)
     print(f"improved by {improvement(PAPER):.1f} % on average")
@@ -135,7 +135,8 @@ def print_summary(job, seconds):
             print(f"{name[2:]:>5} {comparison['Pack'][i]:10.6f} {comparison['Cell'][i]:10.6f} {deviation:10.1e} {percent:>10}")
     modes = [percent for name, percent in zip(comparison["Quantity"], comparison["Percent"]) if name.startswith("c_") and name != "c_m"]
     print(f"equation 16, largest of all modes  {max(modes):.4f} %   (paper: below {PAPER_FRACTIONS} %)")
-    print(f"equation 17, mean of {len(job.cells)} cells       {field(fetch(job.search, 5), 'DifferencePercent'):.4f} %   (paper: {PAPER_DIFFERENCE} %)")
+    percent = field(fetch(job.search, 5), "DifferencePercent")
+    print(f"equation 17, mean of {len(job.cells)} cells       {percent:.4f} %   (paper: {PAPER_DIFFERENCE} %)")
 
 
 def write_table(path, table):

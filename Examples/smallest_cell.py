@@ -59,8 +59,8 @@ def study(args):
     numbers = columns(fetch(modes, 1))["Count"]
     table = {name: [] for name in ("Spheres", "Edge", "ObjectiveMinimum", "ObjectiveMean", "ObjectiveMaximum", "LargestFractionPercent",
                                    "CellDifferencePercent", "MeanDifferencePercent", "OverlapPercent", "SecondsPerCell")}
-    print(f"{'spheres':>8} {f'edge ({args.unit})':>10} {'F2 min':>8} {'mean':>8} {'max':>8} {'(16) %':>8} {'(17) %, a cell':>15} {'mean of cells':>14} "
-          f"{'s a cell':>9}")
+    print(f"{'spheres':>8} {f'edge ({args.unit})':>10} {'F2 min':>8} {'mean':>8} {'max':>8} {'(16) %':>8} {'(17) %, a cell':>15} "
+          f"{'mean of cells':>14} {'s a cell':>9}")
     for size in args.sizes:
         missing = missing_modes(numbers, size)
         if missing:
