@@ -156,31 +156,31 @@ public:
     , Settings(settings)
     , Callbacks(callbacks)
     , Ranks(ranks)
-    , NumberOfGroups(std::min(settings.NumberOfCells, ranks.Size()))
-    , Group(ranks.Rank() % this->NumberOfGroups)
-    , Own(ranks.Split(this->Group))
   {
   }
 
   std::vector<CellSearch::FoundCell> Run()
   {
     this->ReadCheckpoints();
-    for (Search& search : this->Cells)
+    std::int64_t stopped = 0;
+    for (Search& search : this->Rounds)
     {
-      search.Begun = !this->Stopped;
+      search.Begun = stopped == 0;
       if (search.Begun)
       {
-        this->RunOne(search);
+        stopped = this->RunOne(search);
+        this->Ranks.Sum(&stopped, 1);
       }
     }
     return this->Gather();
   }
 
 private:
-  // A cell of this group
+  // The cell that this rank works on in a round
   struct Search
   {
     int Number;
+    std::unique_ptr<RankCommunicator> Group; // the ranks that work on it
     typename Method::Settings Settings;
     CheckpointFile File;
     std::optional<typename Method::State> State; // to resume from; later the last
@@ -192,9 +192,11 @@ private:
   void ReadCheckpoints()
   {
     std::string error;
-    const int cells = this->Settings.NumberOfCells;
-    for (int number = this->Group; number < cells; number += this->NumberOfGroups)
+    const int cells = this->Settings.NumberOfCells, ranks = this->Ranks.Size();
+    for (int first = 0; first < cells; first += ranks)
     {
+      const int group = this->Ranks.Rank() % std::min(cells - first, ranks);
+      const int number = first + group;
       typename Method::Settings settings = Method::Of(this->Settings);
       settings.Seed += static_cast<std::uint32_t>(number);
       std::string name = this->Settings.CheckpointFile;
@@ -202,15 +204,16 @@ private:
       {
         name += "." + std::to_string(number + 1);
       }
-      this->Cells.push_back(
-        { number, settings, CheckpointFile(name, this->Settings.CheckpointInterval), std::nullopt,
-          NewCell(number, this->Target), false });
+      this->Rounds.push_back({ number, this->Ranks.Split(group), settings,
+        CheckpointFile(name, this->Settings.CheckpointInterval), std::nullopt,
+        NewCell(number, this->Target), false });
+      Search& search = this->Rounds.back();
       try
       {
-        const std::string bytes = this->Cells.back().File.Read(*this->Own);
+        const std::string bytes = search.File.Read(*search.Group);
         if (!bytes.empty())
         {
-          this->Cells.back().State = Method::Read(bytes, this->KeyOf(this->Cells.back()));
+          search.State = Method::Read(bytes, this->KeyOf(search));
         }
       }
       catch (const std::invalid_argument& e)
@@ -226,15 +229,16 @@ private:
     return ruc::MakeKey(this->Contents, this->Target, search.Settings);
   }
 
-  void RunOne(Search& search)
+  // Whether it was stopped
+  bool RunOne(Search& search)
   {
-    const bool first = this->Own->Rank() == 0;
+    const bool first = search.Group->Rank() == 0;
     const ruc::SearchKey key = this->KeyOf(search);
     const std::optional<typename Method::State> resume = std::move(search.State);
     search.State.reset();
     std::string reason;
     Method::Run(
-      this->Contents, this->Target, search.Settings, *this->Own,
+      this->Contents, this->Target, search.Settings, *search.Group,
       [&](const ruc::SearchState& state)
       {
         if (!first)
@@ -262,11 +266,12 @@ private:
       this->Write(search, key);
       search.State.reset();
     }
-    this->Stopped = search.Found.Cell.EndedBy == "Stopped";
-    if (this->Stopped)
+    const bool stopped = search.Found.Cell.EndedBy == "Stopped";
+    if (stopped)
     {
-      search.Found.Cell.EndedBy = this->Own->FirstText(reason);
+      search.Found.Cell.EndedBy = search.Group->FirstText(reason);
     }
+    return stopped;
   }
 
   void Write(Search& search, const ruc::SearchKey& key)
@@ -285,8 +290,8 @@ private:
     std::vector<CellSearch::FoundCell> all;
     for (int number = 0; number < this->Settings.NumberOfCells; ++number)
     {
-      const bool holds = number % this->NumberOfGroups == this->Group && this->Own->Rank() == 0;
-      Search* own = holds ? &this->Cells[number / this->NumberOfGroups] : nullptr;
+      Search& search = this->Rounds[number / this->Ranks.Size()];
+      Search* own = search.Number == number && search.Group->Rank() == 0 ? &search : nullptr;
       const std::string endedBy =
         this->Ranks.FirstText(own && own->Begun ? own->Found.Cell.EndedBy : "");
       if (endedBy.empty()) // not begun
@@ -330,10 +335,8 @@ private:
   const CellSearch::Settings& Settings;
   const CellSearch::Callbacks& Callbacks;
   RankCommunicator& Ranks;
-  int NumberOfGroups, Group;
-  std::unique_ptr<RankCommunicator> Own; // the ranks of this group
-  std::vector<Search> Cells;
-  bool Stopped = false, Warned = false;
+  std::vector<Search> Rounds;
+  bool Warned = false;
 };
 }
 

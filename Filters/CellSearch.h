@@ -42,11 +42,10 @@ struct Callbacks
 };
 
 /**
- * Collective: all cells in order, the same on every rank and for any number of ranks. With several
- * cells the ranks work in as many groups as there are cells, or one each where there are fewer
- * ranks; a group takes its cells one after another. After a group has been stopped it begins no
- * other cell, so that cells may be missing; there is at least one. EndedBy of a cell that was
- * stopped is the reason.
+ * Collective: all cells in order, the same on every rank and for any number of ranks. They are
+ * found in rounds: one on each rank as long as there are as many left as ranks, the rest in as many
+ * groups of ranks. After a round in which one was stopped no other begins, so that cells may be
+ * missing; there is at least one. EndedBy of a cell that was stopped is the reason.
  *
  * A search goes on from its checkpoint where the file is there. Throws std::invalid_argument, the
  * same on every rank, for a checkpoint that is not of this search.

@@ -20,7 +20,8 @@
  * overlap penalty, last overlap removed exactly. Annealed Population: the paper's RECON3D
  * (Core/Reconstruction/PopulationSearch.h). Hybrid: a small population whose best member descends
  * by L-BFGS, then is changed a little and descends again. Several cells are independent searches
- * with the seeds Seed, Seed + 1, …, shared out over groups of ranks.
+ * with the seeds Seed, Seed + 1, …, one on each rank or group of
+ * ranks at a time.
  *
  * Outputs, whole on rank 0: 0 the best cell (least F2, without overlap if there is one), a sphere
  * pack with its periodic box and the field data `Objective` (F2), `StartObjective` (F2 of the
