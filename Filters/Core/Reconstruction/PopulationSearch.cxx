@@ -368,10 +368,12 @@ private:
     return this->Refine(descent, member);
   }
 
-  // The best member's; the pool rests as long as that is worth more than children
+  // The best member's, at first that of the random start of SearchByGradient, so that the hybrid
+  // goes the same way as long as that goes down; the pool rests as long as that is worth more than
+  // children
   bool RefineBest(bool& poolRests)
   {
-    const int best = this->BestMember();
+    const int best = this->State.Generation == 0 ? 0 : this->BestMember();
     DescentState descent;
     if (best == this->State.Descending)
     {

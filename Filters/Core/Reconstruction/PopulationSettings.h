@@ -53,8 +53,9 @@ struct PopulationSettings
 
   /**
    * 0: annealed population. More: hybrid, with so many steps of L-BFGS on F2 at a time. In every
-   * generation the best member goes on downhill, its Hessian kept. The mating pool rests as long as
-   * that gains LeastProgress (GradientSearch.h) or more; else its children are refined as well.
+   * generation the best member goes on downhill, its Hessian kept; in the first generation it is
+   * member 0, the start of SearchByGradient. The mating pool rests as long as that gains
+   * LeastProgress (GradientSearch.h) or more; else its children are refined as well.
    */
   int RefinementSteps = 0;
 };
