@@ -6,20 +6,18 @@
                                          must have the same, compared with ==
 """
 import itertools
-import json
 import math
 import os
 import sys
-import time
-import traceback
 
-from paraview import servermanager
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
 from paraview.simple import *
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 
+from harness import NUMBERS, RANKS, columns, expect_error, fetch, field, leaves, remember, run
+
 FOLDER, EXPECTED = sys.argv[1], sys.argv[2]
-RANKS = servermanager.ActiveConnection.GetNumberOfDataPartitions()
 EDGE, SPHERES = 9.0, 60
 GRID = {'MaximumLag': 2.0, 'NumberOfLags': 20}
 SMALL = {**GRID, 'NumberOfParticles': SPHERES, 'MaximumIterations': 30}
@@ -27,35 +25,6 @@ METHODS = {'Gradient': {}, 'Annealed Population': {'Population': 12, 'MatingPool
            'Hybrid': {'HybridPopulation': 4, 'HybridMatingPool': 2, 'RefinementSteps': 5, 'MaximumGenerations': 4}}
 TABLE_ONE = ['Cell', 'Seed', 'BeforeMinimum', 'BeforeMean', 'BeforeMaximum', 'AfterMinimum', 'AfterMean', 'AfterMaximum', 'Iterations',
              'OverlapPercent', 'Objective', 'DifferencePercent', 'EndedBy']
-NUMBERS = {}  # that must not depend on the ranks
-
-
-def fetch(source, port=0):
-    source.UpdatePipeline()
-    return servermanager.Fetch(source, idx=port)
-
-
-def columns(source, port=0):
-    """{name: list of values} of a table, which must not be empty."""
-    table = fetch(source, port)
-    assert table.GetClassName() == 'vtkTable' and table.GetNumberOfRows() > 0, (source, port)
-    return {table.GetColumn(j).GetName(): [table.GetColumn(j).GetValue(i) for i in range(table.GetNumberOfRows())]
-            for j in range(table.GetNumberOfColumns())}
-
-
-def field(data, name):
-    array = data.GetFieldData().GetAbstractArray(name)
-    assert array is not None, name
-    values = [array.GetVariantValue(i) for i in range(array.GetNumberOfValues())]
-    values = [value.ToDouble() if value.IsNumeric() else value.ToString() for value in values]
-    return values[0] if len(values) == 1 else values
-
-
-def leaves(data):
-    """The cells, which of several ranks come in a set for each rank."""
-    if data is None or not data.IsA('vtkMultiBlockDataSet'):
-        return [data] if data is not None else []
-    return [leaf for n in range(data.GetNumberOfBlocks()) for leaf in leaves(data.GetBlock(n))]
 
 
 def spheres(data):
@@ -67,10 +36,6 @@ def spheres(data):
 def counts(data):
     modes = [s[4] for s in spheres(data)]
     return [modes.count(mode) for mode in sorted(set(modes))]
-
-
-def remember(name, values):
-    NUMBERS[name] = [value if isinstance(value, str) else repr(value) for value in values]
 
 
 def remember_all(name, source):
@@ -240,23 +205,6 @@ def contents():
     assert counts(fetch(search)) == expected, (counts(fetch(search)), expected)
 
 
-def expect_error(source, parts):
-    """An update fails with a text that has these parts, and leaves every output empty."""
-    window, former = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(window)
-    try:
-        source.UpdatePipeline()
-    finally:
-        vtkOutputWindow.SetInstance(former)
-    text = window.GetOutput()
-    assert 'ERROR' in text.upper(), ('no error', parts, text)
-    for part in ('Unit Cell Reconstruction: ', *parts):
-        assert part in text, (part, text)
-    for port in range(6):
-        info = source.GetDataInformation(port)
-        assert info.GetNumberOfPoints() == 0 and info.GetNumberOfRows() == 0, (parts, port)
-
-
 def refused_settings():
     """What cannot be is refused with its reason; mended, the filter gives its former result."""
     population = METHODS['Annealed Population']
@@ -339,28 +287,5 @@ def refused_targets():
         expect_error(UnitCellReconstruction(Input=TARGET, NumberOfParticles=SPHERES, **bad), parts)
 
 
-def main():
-    for part in (several_cells, targets_from_files, contents, refused_settings, refused_targets):
-        start = time.time()
-        print(part.__name__, flush=True)
-        part()
-        print('  %.1f s' % (time.time() - start), flush=True)
-    if RANKS == 1:
-        with open(EXPECTED, 'w') as file:
-            json.dump(NUMBERS, file)
-    else:
-        with open(EXPECTED) as file:
-            expected = json.load(file)
-        assert expected.keys() == NUMBERS.keys()
-        for name, values in NUMBERS.items():
-            assert values == expected[name], name + ' differs from that of one rank'
-        print('  %d numbers are those of one rank' % sum(map(len, NUMBERS.values())))
-    print('cells.py: passed')
-
-
 if __name__ == '__main__':
-    try:
-        main()
-    except Exception:
-        # Under mpirun an exception that leaves the script would keep the other ranks waiting for ever
-        sys.exit(traceback.format_exc())
+    run((several_cells, targets_from_files, contents, refused_settings, refused_targets), EXPECTED)

@@ -5,30 +5,24 @@ import json
 import os
 import sys
 
-from paraview import servermanager
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
 from paraview.simple import *
 
-
-def leaves(data):
-    """The cells, which of several ranks come in a set for each rank."""
-    if data is None or not data.IsA('vtkMultiBlockDataSet'):
-        return [data] if data is not None else []
-    return [leaf for n in range(data.GetNumberOfBlocks()) for leaf in leaves(data.GetBlock(n))]
-
+from harness import fetch, leaves
 
 settings = json.loads(sys.argv[1])
 pack_file = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../Examples/Data/bead_block.csv')
 reader = SpherePackReader(FileName=pack_file, BoxSize=[1445.372, 1287.892, 789.106])
 modes = ParticleModes(Input=reader, NumberOfModes=4)
 search = UnitCellReconstruction(Input=modes, MaximumLag=100, NumberOfLags=40, NumberOfParticles=400, **settings)
-search.UpdatePipeline()
-cells = leaves(servermanager.Fetch(search, idx=3))
+cells = leaves(fetch(search, 3))
 if cells:
     result = []
     for cell in cells:
         result += [x.hex() for i in range(cell.GetNumberOfPoints()) for x in cell.GetPoint(i)]
     for port in (1, 2, 4):
-        table = servermanager.Fetch(search, idx=port)
+        table = fetch(search, port)
         result += [table.GetValue(i, j).ToString() for j in range(table.GetNumberOfColumns()) for i in range(table.GetNumberOfRows())]
         result += [table.GetColumn(j).GetValue(i).hex() for j in range(table.GetNumberOfColumns()) for i in range(table.GetNumberOfRows())
                    if isinstance(table.GetColumn(j).GetValue(i), float)]

@@ -9,41 +9,17 @@ import math
 import os
 import random
 import sys
-import time
-import traceback
 
-from paraview import servermanager
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
 from paraview.simple import *
+
+from harness import RANKS, columns, fetch, field, run
 
 FOLDER, DATA = sys.argv[1], sys.argv[2]
 BEADS = os.path.join(DATA, '..', '..', 'Examples', 'Data', 'bead_block.csv')
 BEADS_BOX = [1445.372, 1287.892, 789.106]
 CHORDS, TEMPLATE = 'Chord Sampling', 'Template Sampling'
-RANKS = servermanager.ActiveConnection.GetNumberOfDataPartitions()
-
-
-def fetch(source, port=0):
-    source.UpdatePipeline()
-    return servermanager.Fetch(source, idx=port)
-
-
-def columns(source, port=0):
-    """{name: list of values} of a table, which must not be empty."""
-    table = fetch(source, port)
-    assert table.GetNumberOfRows() > 0, source
-    result = {}
-    for j in range(table.GetNumberOfColumns()):
-        column = table.GetColumn(j)
-        values = [column.GetValue(i) for i in range(table.GetNumberOfRows())]
-        result[column.GetName()] = values
-    return result
-
-
-def field(data, name):
-    array = data.GetFieldData().GetArray(name)
-    values = [array.GetComponent(i // array.GetNumberOfComponents(), i % array.GetNumberOfComponents())
-              for i in range(array.GetNumberOfValues())]
-    return values[0] if len(values) == 1 else values
 
 
 def pairs_of(table):
@@ -243,18 +219,5 @@ def stretched_packs():
     assert sigma[1.25]['sigma_S_m_m'] > 1.5 * sigma[1.0]['sigma_S_m_m'], sigma
 
 
-def main():
-    for part in (periodic_packs, overlapping_spheres, cylinders, masks, stretched_packs):
-        start = time.time()
-        print(part.__name__, flush=True)
-        part()
-        print('  %.1f s' % (time.time() - start), flush=True)
-    print('sampling.py: passed')
-
-
 if __name__ == '__main__':
-    try:
-        main()
-    except Exception:
-        # Under mpirun an exception that leaves the script would keep the other ranks waiting for ever
-        sys.exit(traceback.format_exc())
+    run((periodic_packs, overlapping_spheres, cylinders, masks, stretched_packs))

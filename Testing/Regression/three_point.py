@@ -6,39 +6,20 @@
                                                writes it, on one rank, and others compare with ==
 """
 import itertools
-import json
 import math
 import os
 import sys
-import time
-import traceback
 
-from paraview import servermanager
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
 from paraview.simple import *
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+
+from harness import RANKS, columns, expect_error, fetch, field, remember, run
 
 FOLDER, EXPECTED = sys.argv[1], sys.argv[2]
-RANKS = servermanager.ActiveConnection.GetNumberOfDataPartitions()
 EDGE, LAG, LAGS, RAYS, THROWS = 9.0, 2.0, 10, 8, 2000
 GRID = {'MaximumLag': LAG, 'NumberOfLags': LAGS}
 FEW = {**GRID, 'NumberOfDirections': RAYS, 'NumberOfThrows': THROWS}
-NUMBERS = {}  # that must not depend on the ranks
-
-
-def fetch(source, port=0):
-    source.UpdatePipeline()
-    return servermanager.Fetch(source, idx=port)
-
-
-def columns(source, port=0):
-    """{name: list of values} of a table, which must not be empty."""
-    table = fetch(source, port)
-    assert table.GetClassName() == 'vtkTable' and table.GetNumberOfRows() > 0, (source, port)
-    result = {}
-    for j in range(table.GetNumberOfColumns()):
-        column = table.GetColumn(j)
-        result[column.GetName()] = [column.GetValue(i) for i in range(table.GetNumberOfRows())]
-    return result
 
 
 def points(source, port=0):
@@ -53,18 +34,6 @@ def points(source, port=0):
         values = {array.GetName(): array.GetValue(n) for array in arrays}
         assert result.setdefault(place, values) == values, place  # points on the border of two slabs
     return result
-
-
-def field(data, name):
-    array = data.GetFieldData().GetAbstractArray(name)
-    assert array is not None, name
-    values = [array.GetVariantValue(i) for i in range(array.GetNumberOfValues())]
-    values = [value.ToDouble() if value.IsNumeric() else value.ToString() for value in values]
-    return values[0] if len(values) == 1 else values
-
-
-def remember(name, values):
-    NUMBERS[name] = [value if isinstance(value, str) else repr(value) for value in values]
 
 
 def write_pack(name, radius, count=9, shift=0.0):
@@ -230,23 +199,6 @@ def windows():
     remember('overlapping', itertools.chain(*columns(source, 1).values()))
 
 
-def expect_error(source, parts):
-    """An update fails with a text that has these parts, and leaves every output empty."""
-    window, former = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(window)
-    try:
-        source.UpdatePipeline()
-    finally:
-        vtkOutputWindow.SetInstance(former)
-    text = window.GetOutput()
-    assert source.SMProxy.GetVTKClassName().replace('vtkRUC', '') and 'ERROR' in text.upper(), ('no error', parts)
-    for part in parts:
-        assert part in text, (part, text)
-    for port in range(source.SMProxy.GetNumberOfOutputPorts()):
-        info = source.GetDataInformation(port)
-        assert info.GetNumberOfPoints() == 0 and info.GetNumberOfRows() == 0, (parts, port)
-
-
 def errors_of_three_point():
     """What cannot be is refused with its reason; mended, the filter gives its former result."""
     pack = make_pack('refused')
@@ -373,28 +325,5 @@ def comparisons():
     remember('tiny images', itertools.chain(*rows.values()))
 
 
-def main():
-    for part in (properties_and_outputs, all_triples, windows, errors_of_three_point, comparisons):
-        start = time.time()
-        print(part.__name__, flush=True)
-        part()
-        print('  %.1f s' % (time.time() - start), flush=True)
-    if RANKS == 1:
-        with open(EXPECTED, 'w') as file:
-            json.dump(NUMBERS, file)
-    else:
-        with open(EXPECTED) as file:
-            expected = json.load(file)
-        assert expected.keys() == NUMBERS.keys()
-        for name, values in NUMBERS.items():
-            assert values == expected[name], name + ' differs from that of one rank'
-        print('  %d numbers are those of one rank' % sum(map(len, NUMBERS.values())))
-    print('three_point.py: passed')
-
-
 if __name__ == '__main__':
-    try:
-        main()
-    except Exception:
-        # Under mpirun an exception that leaves the script would keep the other ranks waiting for ever
-        sys.exit(traceback.format_exc())
+    run((properties_and_outputs, all_triples, windows, errors_of_three_point, comparisons), EXPECTED)
