@@ -28,22 +28,74 @@ std::uint64_t Checksum(std::string_view bytes)
   return hash;
 }
 
+// Calls visit for every field of a state, in the order of the format
+template <class State, class Visit>
+void ForEachField(State& state, Visit&& visit)
+{
+  using Plain = std::remove_const_t<State>;
+  if constexpr (std::is_same_v<Plain, ObjectiveRange>)
+  {
+    visit(state.Minimum);
+    visit(state.Mean);
+    visit(state.Maximum);
+  }
+  else if constexpr (std::is_same_v<Plain, DescentState>)
+  {
+    visit(state.Place);
+    visit(state.Gradient);
+    visit(state.Value);
+    visit(state.Iterations);
+    visit(state.Steps);
+    visit(state.GradientChanges);
+  }
+  else if constexpr (std::is_same_v<Plain, GradientState>)
+  {
+    visit(state.Descent);
+    visit(state.Best);
+    visit(state.StartObjective);
+    visit(state.Kept);
+    visit(state.Tried);
+    visit(state.Converged);
+    visit(state.Convergence);
+  }
+  else
+  {
+    static_assert(std::is_same_v<Plain, PopulationState>);
+    visit(state.Generation);
+    visit(state.Centres);
+    visit(state.Objective);
+    visit(state.OverlapPercent);
+    visit(state.First);
+    visit(state.Temperature);
+    visit(state.Stagnation);
+    visit(state.Convergence);
+    visit(state.Descending);
+    visit(state.Descent);
+  }
+}
+
 class Writer
 {
 public:
-  template <class Number>
-  void Put(Number number)
+  template <class Value>
+  void Put(const Value& value)
   {
-    static_assert(std::is_arithmetic_v<Number>);
-    this->Bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
-  }
-  template <class Number>
-  void Put(const std::vector<Number>& numbers)
-  {
-    this->Put<std::uint64_t>(numbers.size());
-    for (const Number& number : numbers)
+    if constexpr (std::is_arithmetic_v<Value>)
     {
-      this->Put(number);
+      this->Bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    else
+    {
+      ForEachField(value, [&](const auto& field) { this->Put(field); });
+    }
+  }
+  template <class Value>
+  void Put(const std::vector<Value>& values)
+  {
+    this->Put<std::uint64_t>(values.size());
+    for (const Value& value : values)
+    {
+      this->Put(value);
     }
   }
   void Put(const SearchState& state)
@@ -51,54 +103,16 @@ public:
     const auto phase = std::find_if(std::begin(SearchPhases), std::end(SearchPhases),
       [&](const char* name) { return std::strcmp(name, state.Phase) == 0; });
     this->Put(static_cast<std::uint8_t>(phase - std::begin(SearchPhases)));
-    this->Put<std::int32_t>(state.Iteration);
+    this->Put(state.Iteration);
     this->Put(state.Objective);
     this->Put(state.OverlapPercent);
-  }
-  void Put(const ObjectiveRange& range)
-  {
-    this->Put(range.Minimum);
-    this->Put(range.Mean);
-    this->Put(range.Maximum);
-  }
-  void Put(const DescentState& state)
-  {
-    this->Put(state.Place);
-    this->Put(state.Gradient);
-    this->Put(state.Value);
-    this->Put<std::int32_t>(state.Iterations);
-    this->Put(state.Steps);
-    this->Put(state.GradientChanges);
-  }
-  void Put(const GradientState& state)
-  {
-    this->Put(state.Descent);
-    this->Put(state.Best);
-    this->Put(state.StartObjective);
-    this->Put(state.Kept);
-    this->Put(state.Tried);
-    this->Put(state.Converged);
-    this->Put(state.Convergence);
-  }
-  void Put(const PopulationState& state)
-  {
-    this->Put<std::int32_t>(state.Generation);
-    this->Put(state.Centres);
-    this->Put(state.Objective);
-    this->Put(state.OverlapPercent);
-    this->Put(state.First);
-    this->Put(state.Temperature);
-    this->Put<std::int32_t>(state.Stagnation);
-    this->Put(state.Convergence);
-    this->Put<std::int32_t>(state.Descending);
-    this->Put(state.Descent);
   }
 
   std::string Bytes;
 };
 
-// Reads in the order of Writer. The checksum was compared before, so a length that runs over the
-// end is a fault of the program that wrote it.
+// The checksum was compared before, so a length that runs over the end is a fault of the program
+// that wrote it.
 class Reader
 {
 public:
@@ -107,22 +121,28 @@ public:
   {
   }
 
-  template <class Number>
-  void Get(Number& number)
+  template <class Value>
+  void Get(Value& value)
   {
-    static_assert(std::is_arithmetic_v<Number>);
-    std::memcpy(&number, this->Take(sizeof number).data(), sizeof number);
+    if constexpr (std::is_arithmetic_v<Value>)
+    {
+      std::memcpy(&value, this->Take(sizeof value).data(), sizeof value);
+    }
+    else
+    {
+      ForEachField(value, [&](auto& field) { this->Get(field); });
+    }
   }
-  template <class Number>
-  void Get(std::vector<Number>& numbers)
+  template <class Value>
+  void Get(std::vector<Value>& values)
   {
     std::uint64_t size = 0;
     this->Get(size);
     this->Require(size <= this->Rest.size());
-    numbers.resize(size);
-    for (Number& number : numbers)
+    values.resize(size);
+    for (Value& value : values)
     {
-      this->Get(number);
+      this->Get(value);
     }
   }
   void Get(SearchState& state)
@@ -134,44 +154,6 @@ public:
     this->Get(state.Iteration);
     this->Get(state.Objective);
     this->Get(state.OverlapPercent);
-  }
-  void Get(ObjectiveRange& range)
-  {
-    this->Get(range.Minimum);
-    this->Get(range.Mean);
-    this->Get(range.Maximum);
-  }
-  void Get(DescentState& state)
-  {
-    this->Get(state.Place);
-    this->Get(state.Gradient);
-    this->Get(state.Value);
-    this->Get(state.Iterations);
-    this->Get(state.Steps);
-    this->Get(state.GradientChanges);
-  }
-  void Get(GradientState& state)
-  {
-    this->Get(state.Descent);
-    this->Get(state.Best);
-    this->Get(state.StartObjective);
-    this->Get(state.Kept);
-    this->Get(state.Tried);
-    this->Get(state.Converged);
-    this->Get(state.Convergence);
-  }
-  void Get(PopulationState& state)
-  {
-    this->Get(state.Generation);
-    this->Get(state.Centres);
-    this->Get(state.Objective);
-    this->Get(state.OverlapPercent);
-    this->Get(state.First);
-    this->Get(state.Temperature);
-    this->Get(state.Stagnation);
-    this->Get(state.Convergence);
-    this->Get(state.Descending);
-    this->Get(state.Descent);
   }
 
   std::string_view Take(std::size_t size)
