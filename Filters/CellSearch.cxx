@@ -64,7 +64,7 @@ CellSearch::FoundCell NewCell(int number, const ruc::TwoPointProbability& target
   return { number, { {}, ruc::Window(), 0.0, 0.0, {}, 0, {}, none, {} }, {}, {} };
 }
 
-// All that FindCells returns of a cell as numbers, but EndedBy
+// All that Find returns of a cell as numbers, but EndedBy and what follows from the contents
 class Numbers
 {
 public:
@@ -116,14 +116,12 @@ public:
       this->Pass(state.OverlapPercent);
     }
   }
-  void Pass(CellSearch::FoundCell& found)
+  void Pass(CellSearch::FoundCell& found, std::vector<double>& centres)
   {
     ruc::UnitCell& cell = found.Cell;
     this->Pass(found.Before);
     this->Pass(found.After);
-    this->Pass(cell.Pack.X);
-    this->Pass(cell.Pack.Y);
-    this->Pass(cell.Pack.Z);
+    this->Pass(centres);
     this->Pass(cell.Objective);
     this->Pass(cell.StartObjective);
     this->Pass(cell.Overlap.Percent);
@@ -299,9 +297,11 @@ private:
         continue;
       }
       Numbers numbers;
+      std::vector<double> centres;
       if (own)
       {
-        numbers.Pass(own->Found);
+        centres = ruc::CentresOf(own->Found.Cell.Pack);
+        numbers.Pass(own->Found, centres);
       }
       auto size = static_cast<std::int64_t>(numbers.Values.size());
       this->Ranks.Sum(&size, 1);
@@ -309,25 +309,13 @@ private:
       this->Ranks.Share(numbers.Values.data(), numbers.Values.size());
       numbers.Take();
       CellSearch::FoundCell found = NewCell(number, this->Target);
-      numbers.Pass(found);
+      numbers.Pass(found, centres);
+      found.Cell.Pack = this->Contents.MakePack(centres.data());
+      found.Cell.Box = this->Contents.MakeBox();
       found.Cell.EndedBy = endedBy;
-      this->Complete(found.Cell);
       all.push_back(std::move(found));
     }
     return all;
-  }
-
-  // What follows from the contents
-  void Complete(ruc::UnitCell& cell) const
-  {
-    const double edge = this->Contents.Edge;
-    cell.Box = ruc::Window::MakeBox({ 0.0, 0.0, 0.0 }, { edge, edge, edge }, { true, true, true });
-    for (std::size_t m = 0; m < this->Contents.Count.size(); ++m)
-    {
-      cell.Pack.Mode.insert(cell.Pack.Mode.end(), this->Contents.Count[m], static_cast<int>(m) + 1);
-      cell.Pack.Radius.insert(
-        cell.Pack.Radius.end(), this->Contents.Count[m], this->Contents.Radius[m]);
-    }
   }
 
   const ruc::CellContents& Contents;

@@ -3,6 +3,7 @@
 #include "ThreePointTables.h"
 
 #include "PackData.h"
+#include "Statistics/Phases.h"
 #include "Statistics/ThreePointLimits.h"
 
 #include <algorithm>
@@ -92,8 +93,7 @@ void ThreePointTables::FillThirdOrder(
     const ruc::ThirdOrderParameters parameters = probability.ThirdOrder(n);
     const ruc::ThirdOrderParameters errors = probability.ThirdOrderError(n);
     const double c = probability.Value(n, 0, 0, 0);
-    const std::string name =
-      phases.R == probability.GetModes() ? "m" : std::to_string(phases.R + 1);
+    const std::string name = ruc::PhaseName(phases.R, probability.GetModes());
     for (bool rest : { false, true })
     {
       phase.push_back(rest ? "all but " + name : name);

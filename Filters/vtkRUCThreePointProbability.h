@@ -106,8 +106,9 @@ public:
   ///@}
 
   /**
-   * What a rank would use, in megabytes of 10^6 bytes, with the properties as they are; "all"
-   * counts for the modes of the input as it was last updated. Not a number where that is not known.
+   * What a rank would use, in megabytes of 10^6 bytes, with the properties as they are, in a region
+   * with a border (a fully periodic box takes a little less); "all" counts for the modes of the
+   * input as it was last updated. Not a number where that is not known.
    */
   double GetEstimatedMemory();
 

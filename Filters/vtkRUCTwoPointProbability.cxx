@@ -10,6 +10,7 @@
 #include "Reconstruction/OverlapRemoval.h"
 #include "Statistics/ChordSampling.h"
 #include "Statistics/OnePointProbability.h"
+#include "Statistics/Phases.h"
 #include "Statistics/ProbabilityMap.h"
 #include "Statistics/TemplateSampling.h"
 #include "Text.h"
@@ -26,7 +27,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkRUCTwoPointProbability);
@@ -38,33 +38,12 @@ const char* const MethodNames[] = { "Exact Pair Sum", "Chord Sampling", "Templat
 // "1 1; 3 m" as phases counted from 0, the matrix last
 std::vector<std::array<int, 2>> ParsePairs(const std::string& text, int modes)
 {
-  const auto refuse = [&](const std::string& part)
-  {
-    throw std::invalid_argument(ruc::Text("ImagePairs requires pairs of phases, 1 to ", modes,
-      " or m, such as '1 1; 1 m; m m', got '", part, "'."));
-  };
+  const std::string required = ruc::Text(
+    "ImagePairs requires pairs of phases, 1 to ", modes, " or m, such as '1 1; 1 m; m m'");
   std::vector<std::array<int, 2>> pairs;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ';');)
+  for (const std::vector<int>& phases : ruc::ParsePhaseLists(text, modes, 2, required))
   {
-    std::istringstream words(part);
-    std::vector<int> phases;
-    for (std::string word; words >> word;)
-    {
-      const bool digits = word.size() <= 6 && word.find_first_not_of("0123456789") == word.npos;
-      const int phase = word == "m" ? modes : digits ? std::stoi(word) - 1 : -1;
-      if (phase < 0 || (word != "m" && phase >= modes))
-      {
-        refuse(part);
-      }
-      phases.push_back(phase);
-    }
-    if (phases.size() != 2)
-    {
-      refuse(part);
-    }
-    std::sort(phases.begin(), phases.end());
-    pairs.push_back({ phases[0], phases[1] });
+    pairs.push_back({ std::min(phases[0], phases[1]), std::max(phases[0], phases[1]) });
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

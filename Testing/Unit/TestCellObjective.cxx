@@ -59,7 +59,7 @@ TEST(CellObjective, AgreesWithTheFinerTablesOfThePairSum)
     {
       const std::vector<double> centres = Centres(51, relaxed);
       const double exact = ruc::TwoPointDifference(
-        target, Measure(objective.MakePack(centres.data()), objective.MakeBox(), lags));
+        target, Measure(Contents().MakePack(centres.data()), Contents().MakeBox(), lags));
       EXPECT_GT(exact, 0.01);
       // tables of 1/4 of the smaller radius: 1e-3 of F2 is what the search asks of them
       EXPECT_NEAR(objective.Evaluate(centres.data(), nullptr).TwoPoint, exact, 1e-3 * exact)
@@ -85,9 +85,9 @@ TEST(CellObjective, LagZeroHoldsTheOverlap)
       sum += objective.GetProbability().S(r, s)[0];
     }
   }
-  const ruc::SpherePack pack = objective.MakePack(centres.data());
+  const ruc::SpherePack pack = Contents().MakePack(centres.data());
   double shared = 0.0, bound = 0.0;
-  oracle::ForEachPair(pack, objective.MakeBox(), 2.0,
+  oracle::ForEachPair(pack, Contents().MakeBox(), 2.0,
     [&](std::size_t i, std::size_t j, const std::array<int, 3>&, double d)
     {
       const double a = pack.Radius[i], b = pack.Radius[j];
@@ -104,9 +104,7 @@ TEST(CellObjective, IsZeroForItsOwnTarget)
   ruc::Communicator serial;
   const std::vector<double> centres = Centres(52, true);
   const ruc::Window box = oracle::PeriodicCube(6.0);
-  TwoPointProbability any(2, Fine);
-  CellObjective packer(Contents(), any, serial);
-  const TwoPointProbability target = Measure(packer.MakePack(centres.data()), box, Fine);
+  const TwoPointProbability target = Measure(Contents().MakePack(centres.data()), box, Fine);
   CellObjective objective(Contents(), target, serial);
   const CellObjective::Terms terms = objective.Evaluate(centres.data(), nullptr);
   // Nine functions of K lags, each off by the error of tables twice as coarse as those of 1e-6: 16
@@ -124,11 +122,11 @@ TEST(CellObjective, PenaltyIsTheSumOfSquaredOverlaps)
   CellObjective objective(Contents(), target, serial);
   objective.SetPenaltyWeight(2.5);
   const std::vector<double> centres = Centres(54, false);
-  const ruc::SpherePack pack = objective.MakePack(centres.data());
+  const ruc::SpherePack pack = Contents().MakePack(centres.data());
   // mean radius, weighted by volume
   const double r = (12 * 1.0 + 28 * std::pow(0.6, 4)) / (12 * 1.0 + 28 * std::pow(0.6, 3));
   double expected = 0.0;
-  oracle::ForEachPair(pack, objective.MakeBox(), 2.0,
+  oracle::ForEachPair(pack, Contents().MakeBox(), 2.0,
     [&](std::size_t i, std::size_t j, const std::array<int, 3>&, double d)
     { expected += 2.5 * std::pow(std::max(pack.Radius[i] + pack.Radius[j] - d, 0.0) / r, 2); });
   EXPECT_GT(expected, 1.0);
@@ -220,7 +218,7 @@ TEST(CellObjective, TranslationAndWholeEdgesChangeNothing)
     {
       EXPECT_NEAR(movedGradient[i], gradient[i], 1e-9);
     }
-    const ruc::SpherePack pack = objective.MakePack(moved.data());
+    const ruc::SpherePack pack = Contents().MakePack(moved.data());
     for (std::size_t i = 0; i < pack.Size(); ++i)
     {
       for (double c : pack.Centre(i))

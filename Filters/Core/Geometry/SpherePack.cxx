@@ -238,4 +238,25 @@ void WrapIntoBox(SpherePack& pack, const Window& box)
     }
   }
 }
+
+std::vector<double> CentresOf(const SpherePack& pack)
+{
+  std::vector<double> centres;
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    centres.insert(centres.end(), { pack.X[i], pack.Y[i], pack.Z[i] });
+  }
+  return centres;
+}
+
+void SetCentres(SpherePack& pack, const Window& box, const double* centres)
+{
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    pack.X[i] = centres[3 * i];
+    pack.Y[i] = centres[3 * i + 1];
+    pack.Z[i] = centres[3 * i + 2];
+  }
+  WrapIntoBox(pack, box);
+}
 }

@@ -75,4 +75,9 @@ SpherePack CropToWindow(const SpherePack& pack, const Window& window);
 /** Moves centres that lie on or beyond the upper border of a periodic axis by whole edges into
  * [origin, origin + edge). */
 void WrapIntoBox(SpherePack& pack, const Window& box);
+
+/** x, y, z of every sphere. */
+std::vector<double> CentresOf(const SpherePack& pack);
+/** Sets the centres to such numbers, wrapped into the box. */
+void SetCentres(SpherePack& pack, const Window& box, const double* centres);
 }

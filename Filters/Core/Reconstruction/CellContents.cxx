@@ -101,6 +101,27 @@ int CellContents::NumberOfSpheres() const
   return std::accumulate(this->Count.begin(), this->Count.end(), 0);
 }
 
+Window CellContents::MakeBox() const
+{
+  return Window::MakeBox(
+    { 0.0, 0.0, 0.0 }, { this->Edge, this->Edge, this->Edge }, { true, true, true });
+}
+
+SpherePack CellContents::MakePack(const double* centres) const
+{
+  SpherePack pack;
+  for (std::size_t m = 0; m < this->Count.size(); ++m)
+  {
+    pack.Mode.insert(pack.Mode.end(), this->Count[m], static_cast<int>(m) + 1);
+    pack.Radius.insert(pack.Radius.end(), this->Count[m], this->Radius[m]);
+  }
+  pack.X.resize(pack.Mode.size());
+  pack.Y.resize(pack.Mode.size());
+  pack.Z.resize(pack.Mode.size());
+  SetCentres(pack, this->MakeBox(), centres);
+  return pack;
+}
+
 CellContents FindCellContents(const ModeAmounts& amounts, double edge)
 {
   return ContentsOfVolume(amounts, edge * edge * edge);

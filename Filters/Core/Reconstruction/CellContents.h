@@ -38,6 +38,12 @@ struct CellContents
   double Edge = 0.0;          // h_c, equation (12)
 
   int NumberOfSpheres() const;
+
+  /** The periodic cube from 0 to the edge. */
+  Window MakeBox() const;
+  /** The spheres in the order of the modes, first all of mode 1, with these centres (x, y, z of
+   * each, anywhere in space) wrapped into the box. */
+  SpherePack MakePack(const double* centres) const;
 };
 
 /**

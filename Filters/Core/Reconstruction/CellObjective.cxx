@@ -72,35 +72,11 @@ CellObjective::CellObjective(
   this->PenaltyRadius = weighted / volume;
 }
 
-Window CellObjective::MakeBox() const
-{
-  return Window::MakeBox({ 0.0, 0.0, 0.0 },
-    { this->Contents.Edge, this->Contents.Edge, this->Contents.Edge }, { true, true, true });
-}
-
-SpherePack CellObjective::MakePack(const double* centres) const
-{
-  SpherePack pack;
-  for (std::size_t m = 0; m < this->Contents.Count.size(); ++m)
-  {
-    pack.Mode.insert(pack.Mode.end(), this->Contents.Count[m], static_cast<int>(m) + 1);
-    pack.Radius.insert(pack.Radius.end(), this->Contents.Count[m], this->Contents.Radius[m]);
-  }
-  for (std::size_t i = 0; i < pack.Mode.size(); ++i)
-  {
-    pack.X.push_back(centres[3 * i]);
-    pack.Y.push_back(centres[3 * i + 1]);
-    pack.Z.push_back(centres[3 * i + 2]);
-  }
-  WrapIntoBox(pack, this->MakeBox());
-  return pack;
-}
-
 CellObjective::Terms CellObjective::Evaluate(
   const double* centres, double* gradient, std::int64_t* signal)
 {
-  const Window box = this->MakeBox();
-  const SpherePack pack = this->MakePack(centres);
+  const Window box = this->Contents.MakeBox();
+  const SpherePack pack = this->Contents.MakePack(centres);
   const CellList cells(pack, box, this->Histogram.GetCutoff());
   std::vector<std::int32_t> types;
   for (std::uint32_t i : cells.Index)

@@ -53,10 +53,6 @@ public:
   /** The two-point probability of the cell evaluated last. */
   const TwoPointProbability& GetProbability() const { return this->Probability; }
 
-  /** The cell's spheres with their centres wrapped into the box from 0 to the edge. */
-  SpherePack MakePack(const double* centres) const;
-  Window MakeBox() const;
-
 private:
   // Adds sum_k lambda g to the potential that holds the penalty
   void AddTwoPointPotential(double volume);

@@ -45,7 +45,7 @@ public:
     , CarryOn(carryOn)
     , Save(save)
     , Objective(contents, target, communicator)
-    , Best{ {}, this->Objective.MakeBox(), 0.0, 0.0, {}, 0, {}, target, {} }
+    , Best{ {}, contents.MakeBox(), 0.0, 0.0, {}, 0, {}, target, {} }
   {
     this->Objective.SetPenaltyWeight(DescentPenaltyWeight);
   }
@@ -149,7 +149,7 @@ private:
   {
     const SearchState state = { RemovingOverlap, static_cast<int>(this->State.Convergence.size()),
       this->Terms.TwoPoint, this->Overlap() };
-    UnitCell cell = FinishUnitCell(this->Objective.MakePack(centres.data()), this->Best.Box,
+    UnitCell cell = FinishUnitCell(this->Contents.MakePack(centres.data()), this->Best.Box,
       this->Target, this->Settings.Seed, this->Ranks,
       [&]()
       {

@@ -25,13 +25,10 @@ public:
     : Pack(pack)
     , Box(box)
     , Skin(0.3 * (pack.Empty() ? 0.0 : *std::min_element(pack.Radius.begin(), pack.Radius.end())))
+    , Centres(CentresOf(pack))
     , Velocity(3 * pack.Size(), 0.0)
     , Force(3 * pack.Size(), 0.0)
   {
-    for (std::size_t i = 0; i < pack.Size(); ++i)
-    {
-      this->Centres.insert(this->Centres.end(), { pack.X[i], pack.Y[i], pack.Z[i] });
-    }
     this->ListSprings();
   }
 
@@ -103,13 +100,7 @@ public:
   SpherePack Wrapped() const
   {
     SpherePack pack = this->Pack;
-    for (std::size_t i = 0; i < pack.Size(); ++i)
-    {
-      pack.X[i] = this->Centres[3 * i];
-      pack.Y[i] = this->Centres[3 * i + 1];
-      pack.Z[i] = this->Centres[3 * i + 2];
-    }
-    WrapIntoBox(pack, this->Box);
+    SetCentres(pack, this->Box, this->Centres.data());
     return pack;
   }
 

@@ -45,17 +45,6 @@ void ForEachContact(const SpherePack& pack, const Window& window, double reach, 
     }
   }
 }
-
-void SetCentres(SpherePack& pack, const Window& box, const double* centres)
-{
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    pack.X[i] = centres[3 * i];
-    pack.Y[i] = centres[3 * i + 1];
-    pack.Z[i] = centres[3 * i + 2];
-  }
-  WrapIntoBox(pack, box);
-}
 }
 
 namespace
@@ -160,13 +149,7 @@ bool RemoveOverlap(
     }
     ++attempt;
 
-    std::vector<double> centres(3 * pack.Size());
-    for (std::size_t i = 0; i < pack.Size(); ++i)
-    {
-      centres[3 * i] = pack.X[i];
-      centres[3 * i + 1] = pack.Y[i];
-      centres[3 * i + 2] = pack.Z[i];
-    }
+    std::vector<double> centres = CentresOf(pack);
     const double reach = 1.0 + enlargement;
     bool free = false;
     const auto evaluate = [&](const double* x, double* gradient)

@@ -66,7 +66,7 @@ public:
     , CarryOn(carryOn)
     , Save(save)
     , Shared(contents, target, communicator)
-    , Box(this->Shared.MakeBox())
+    , Box(contents.MakeBox())
   {
     this->Shared.SetPenaltyWeight(DescentPenaltyWeight);
     for (int thread = 0; thread < omp_get_max_threads(); ++thread)
@@ -165,7 +165,7 @@ private:
   {
     CellObjective& evaluator = *this->OfThread[omp_get_thread_num()];
     objective = evaluator.Evaluate(centres.data(), nullptr).TwoPoint;
-    overlapPercent = MeasureOverlap(evaluator.MakePack(centres.data()), this->Box).Percent;
+    overlapPercent = MeasureOverlap(this->Contents.MakePack(centres.data()), this->Box).Percent;
   }
 
   ObjectiveRange Range() const
@@ -262,7 +262,7 @@ private:
     Chromosome centres = this->Alter(parent, mate, fitness, random);
     if (random.Next() < this->Settings.MassSpringProbability)
     {
-      SpherePack pack = this->Shared.MakePack(centres.data());
+      SpherePack pack = this->Contents.MakePack(centres.data());
       MoveBySpringsUntilFree(pack, this->Box, this->Settings.Seed);
       centres = CentresOf(pack);
     }
@@ -353,7 +353,7 @@ private:
     {
       return false;
     }
-    SpherePack pack = this->Shared.MakePack(descent.Place.data());
+    SpherePack pack = this->Contents.MakePack(descent.Place.data());
     RemoveOverlap(pack, this->Box, this->Settings.Seed, []() { return true; });
     member.Centres = CentresOf(pack);
     member.Objective = this->Shared.Evaluate(member.Centres.data(), nullptr).TwoPoint;
@@ -381,7 +381,7 @@ private:
     }
     else
     {
-      SpherePack pack = this->Shared.MakePack(this->State.Centres[best].data());
+      SpherePack pack = this->Contents.MakePack(this->State.Centres[best].data());
       RemoveOverlap(pack, this->Box, this->Settings.Seed, []() { return true; });
       descent.Place = CentresOf(pack);
     }
@@ -448,7 +448,7 @@ private:
   UnitCell FreeBest()
   {
     const Chromosome& centres = this->State.Centres[this->BestMember()];
-    return FinishUnitCell(this->Shared.MakePack(centres.data()), this->Box, this->Target,
+    return FinishUnitCell(this->Contents.MakePack(centres.data()), this->Box, this->Target,
       this->Settings.Seed, this->Ranks, []() { return true; });
   }
 

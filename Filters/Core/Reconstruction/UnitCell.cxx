@@ -4,16 +4,6 @@
 
 namespace ruc
 {
-std::vector<double> CentresOf(const SpherePack& pack)
-{
-  std::vector<double> centres;
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    centres.insert(centres.end(), { pack.X[i], pack.Y[i], pack.Z[i] });
-  }
-  return centres;
-}
-
 UnitCell FinishUnitCell(SpherePack pack, const Window& box, const TwoPointProbability& target,
   std::uint32_t seed, Communicator& ranks, const std::function<bool()>& carryOn)
 {

@@ -48,9 +48,6 @@ struct UnitCell
   std::vector<SearchState> Convergence;
 };
 
-/** x, y, z of every sphere. */
-std::vector<double> CentresOf(const SpherePack& pack);
-
 /**
  * Collective: the cell of these spheres in a periodic box, freed from overlap (RemoveOverlap, with
  * its seed and `carryOn`, which must return the same on every rank), with its overlap, and its S_rs

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/ThreePointProbability.h"
 
+#include "Statistics/Phases.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -16,11 +17,6 @@ namespace ruc
 namespace
 {
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
-
-std::string PhaseName(int phase, int modes)
-{
-  return phase == modes ? "m" : std::to_string(phase + 1);
-}
 }
 
 std::vector<PhaseTriple> ParseTriples(const std::string& text, int modes)
@@ -42,24 +38,10 @@ std::vector<PhaseTriple> ParseTriples(const std::string& text, int modes)
     }
     return triples;
   }
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ';');)
+  const std::string required = Text(
+    "Phases requires triples of phases, 1 to ", modes, " or m, such as '1 1 m; m m m', or 'all'");
+  for (const std::vector<int>& phases : ParsePhaseLists(text, modes, 3, required))
   {
-    std::istringstream words(part);
-    std::vector<int> phases;
-    bool good = true;
-    while (words >> word)
-    {
-      const bool digits = word.size() <= 6 && word.find_first_not_of("0123456789") == word.npos;
-      const int phase = word == "m" ? modes : digits ? std::stoi(word) - 1 : -1;
-      good = good && phase >= 0 && (word == "m" || phase < modes);
-      phases.push_back(phase);
-    }
-    if (!good || phases.size() != 3)
-    {
-      throw std::invalid_argument(Text("Phases requires triples of phases, 1 to ", modes,
-        " or m, such as '1 1 m; m m m', or 'all', got '", part, "'."));
-    }
     const PhaseTriple triple = { phases[0], phases[1], phases[2] };
     if (std::find(triples.begin(), triples.end(), triple) == triples.end())
     {

@@ -8,6 +8,7 @@
 #include "Statistics/OnePointProbability.h"
 #include "Statistics/PairHistogram.h"
 #include "Statistics/PairLoops.h"
+#include "Statistics/Phases.h"
 #include "Text.h"
 #include "VectorClones.h"
 
@@ -63,7 +64,7 @@ void TwoPointProbability::CompleteMatrix()
 
 std::string TwoPointProbability::PhaseName(int phase) const
 {
-  return phase == this->Modes ? "m" : std::to_string(phase + 1);
+  return ruc::PhaseName(phase, this->Modes);
 }
 
 double DiscreteNorm(const std::vector<double>& values)
