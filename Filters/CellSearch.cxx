@@ -234,7 +234,9 @@ private:
     const ruc::SearchKey key = this->KeyOf(search);
     const std::optional<typename Method::State> resume = std::move(search.State);
     search.State.reset();
+    RankSignal signal(this->Ranks);
     std::string reason;
+    ruc::SearchState last;
     Method::Run(
       this->Contents, this->Target, search.Settings, *search.Group,
       [&](const ruc::SearchState& state)
@@ -243,7 +245,17 @@ private:
         {
           return true;
         }
+        last = state;
+        // Some reasons are seen on the lowest rank alone
         reason = this->Callbacks.StopReason(search.Number, state);
+        if (reason.empty())
+        {
+          reason = signal.Heard();
+        }
+        else if (this->Ranks.Rank() == 0)
+        {
+          signal.Give(reason);
+        }
         return reason.empty();
       },
       resume ? &*resume : nullptr,
@@ -264,6 +276,7 @@ private:
       this->Write(search, key);
       search.State.reset();
     }
+    signal.Close([&]() { return this->Callbacks.StopReason(search.Number, last); });
     const bool stopped = search.Found.Cell.EndedBy == "Stopped";
     if (stopped)
     {

@@ -32,7 +32,7 @@ void ProgressReport::Update(double fraction, const std::string& text)
   if (now - this->LastUpdate >= UpdateInterval)
   {
     this->LastUpdate = now;
-    this->Filter->SetProgressText(text.c_str());
+    this->Filter->SetProgressText((this->Name + ": " + text).c_str());
     this->Filter->UpdateProgress(fraction);
   }
   if (now - this->LastLine >= LineInterval)

@@ -3,10 +3,18 @@
 #include "RankCommunicator.h"
 
 #include "vtkCommunicator.h"
+#include "vtkMPIController.h"
 #include "vtkMultiProcessController.h"
 
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 #include <vector>
+
+namespace
+{
+constexpr int ExchangeTag = 61301, SignalTag = 61302, HereTag = 61303;
+}
 
 int RankCommunicator::Rank() const
 {
@@ -65,28 +73,27 @@ void RankCommunicator::Minimum(double* values, std::size_t count)
 std::vector<std::vector<double>> RankCommunicator::Exchange(
   std::vector<std::vector<double>> outgoing)
 {
-  constexpr int tag = 61301;
   const int ranks = this->Size();
   const int rank = this->Rank();
   std::vector<std::vector<double>> incoming(ranks);
   const auto send = [&](int to)
   {
     const vtkIdType count = static_cast<vtkIdType>(outgoing[to].size());
-    this->Controller->Send(&count, 1, to, tag);
+    this->Controller->Send(&count, 1, to, ExchangeTag);
     if (count > 0)
     {
-      this->Controller->Send(outgoing[to].data(), count, to, tag);
+      this->Controller->Send(outgoing[to].data(), count, to, ExchangeTag);
     }
     std::vector<double>().swap(outgoing[to]);
   };
   const auto receive = [&](int from)
   {
     vtkIdType count = 0;
-    this->Controller->Receive(&count, 1, from, tag);
+    this->Controller->Receive(&count, 1, from, ExchangeTag);
     incoming[from].resize(count);
     if (count > 0)
     {
-      this->Controller->Receive(incoming[from].data(), count, from, tag);
+      this->Controller->Receive(incoming[from].data(), count, from, ExchangeTag);
     }
   };
   // In every step the ranks make pairs; the lower one of a pair talks first, so none waits in a
@@ -152,4 +159,84 @@ void RankCommunicator::ThrowIfAny(const std::string& error)
   {
     throw std::invalid_argument(first);
   }
+}
+
+RankSignal::RankSignal(const RankCommunicator& ranks)
+  : Ranks(ranks)
+  , Controller(ranks.Size() > 1 ? vtkMPIController::SafeDownCast(ranks.GetController()) : nullptr)
+{
+  if (ranks.Rank() > 0)
+  {
+    this->Controller->NoBlockReceive(
+      this->Word.data(), static_cast<int>(this->Word.size()), 0, SignalTag, this->Receipt);
+  }
+}
+
+RankSignal::~RankSignal()
+{
+  if (this->Ranks.Rank() > 0 && !this->Done)
+  {
+    this->Receipt.Cancel(); // an error was thrown before the end
+  }
+}
+
+void RankSignal::Give(const std::string& word)
+{
+  if (this->Done)
+  {
+    return;
+  }
+  this->Done = true;
+  word.copy(this->Word.data(), this->Word.size() - 1);
+  for (int rank = 1; rank < this->Ranks.Size(); ++rank)
+  {
+    this->Controller->Send(
+      this->Word.data(), static_cast<vtkIdType>(this->Word.size()), rank, SignalTag);
+  }
+}
+
+std::string RankSignal::Heard()
+{
+  if (this->Ranks.Rank() > 0 && !this->Done)
+  {
+    this->Done = this->Receipt.Test() != 0;
+  }
+  return this->Done ? this->Word.data() : std::string();
+}
+
+void RankSignal::Close(const std::function<std::string()>& ask)
+{
+  const int ranks = this->Ranks.Size();
+  if (this->Ranks.Rank() > 0)
+  {
+    const int here = 1;
+    this->Controller->Send(&here, 1, 0, HereTag);
+    if (!this->Done)
+    {
+      this->Receipt.Wait();
+      this->Done = true;
+    }
+    return;
+  }
+  std::vector<int> here(ranks);
+  std::vector<vtkMPICommunicator::Request> others(ranks);
+  for (int rank = 1; rank < ranks; ++rank)
+  {
+    this->Controller->NoBlockReceive(&here[rank], 1, rank, HereTag, others[rank]);
+  }
+  for (int rank = 1; rank < ranks;)
+  {
+    if (others[rank].Test())
+    {
+      ++rank;
+      continue;
+    }
+    const std::string word = ask();
+    if (!word.empty())
+    {
+      this->Give(word);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  this->Give({}); // for which the others wait
 }

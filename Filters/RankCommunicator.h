@@ -4,11 +4,16 @@
 
 #include "Communicator.h"
 
+#include "vtkMPICommunicator.h"
 #include "vtkMultiProcessController.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <string>
+
+class vtkMPIController;
 
 /** The ranks of a vtkMultiProcessController; a null controller is a serial run. */
 class RankCommunicator : public ruc::Communicator
@@ -39,4 +44,40 @@ public:
 private:
   vtkMultiProcessController* Controller;
   vtkSmartPointer<vtkMultiProcessController> Own; // of a group
+};
+
+/**
+ * A word that the lowest rank may give to the others while all go their own ways, without a step
+ * that they take together. Made and closed by all ranks.
+ */
+class RankSignal
+{
+public:
+  explicit RankSignal(const RankCommunicator& ranks);
+  ~RankSignal();
+
+  /** To be called on the lowest rank, with at most 31 characters; only the first word counts. */
+  void Give(const std::string& word);
+
+  /** To be called on any rank, as often as wanted: the word, or nothing as long as there is none.
+   */
+  std::string Heard();
+
+  /**
+   * Collective: ends when all ranks have come here. Until then the lowest one calls `ask` some ten
+   * times a second and gives the word that it returns, if any.
+   */
+  void Close(const std::function<std::string()>& ask);
+
+private:
+  RankSignal(const RankSignal&) = delete;
+  void operator=(const RankSignal&) = delete;
+
+  using Letter = std::array<char, 32>;
+
+  const RankCommunicator& Ranks;
+  vtkMPIController* Controller;        // null where there is one rank
+  vtkMPICommunicator::Request Receipt; // of a higher rank
+  Letter Word = {};
+  bool Done = false; // given, or received
 };

@@ -12,6 +12,7 @@
 #include "Statistics/TwoPointChecks.h"
 #include "Text.h"
 #include "TwoPointSum.h"
+#include "vtkRUCStopRequest.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -120,7 +121,7 @@ void FillTableOfCells(const std::vector<CellSearch::FoundCell>& cells,
 bool WasStopped(const CellSearch::FoundCell& found)
 {
   const std::string& by = found.Cell.EndedBy;
-  return by == "Time limit" || by == "Stop file" || by == "Abort";
+  return by == "Time limit" || by == "Stop file" || by == "Abort" || by == "Stop button";
 }
 
 // The place of the least F2, of cells without overlap if there are any
@@ -333,6 +334,10 @@ std::string vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport& r
   {
     return "Abort";
   }
+  if (vtkRUCStopRequest::IsPending())
+  {
+    return "Stop button";
+  }
   if (this->TimeLimit > 0.0 && report.Seconds() >= this->TimeLimit)
   {
     return "Time limit";
@@ -344,6 +349,12 @@ std::string vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport& r
   return {};
 }
 
+void vtkRUCUnitCellReconstruction::ForgetWishes()
+{
+  this->SetAbortExecute(0); // VTK leaves the wish of a former run standing
+  vtkRUCStopRequest::Clear();
+}
+
 void vtkRUCUnitCellReconstruction::Execute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
@@ -353,7 +364,7 @@ void vtkRUCUnitCellReconstruction::Execute(
     this->Superclass::Execute(inputs, outputs, ranks);
     return;
   }
-  this->SetAbortExecute(0); // VTK leaves the wish of a former run standing
+  this->ForgetWishes();
   this->ValidateProperties();
   ProgressReport report(this, this->GetLabel());
   const ruc::TwoPointProbability target = ProbabilityTable::Read(table, "Input", ranks);
@@ -369,7 +380,7 @@ void vtkRUCUnitCellReconstruction::Execute(
 void vtkRUCUnitCellReconstruction::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
-  this->SetAbortExecute(0); // VTK leaves the wish of a former run standing
+  this->ForgetWishes();
   this->ValidateProperties();
   ProgressReport report(this, this->GetLabel());
   const PackData::SharedPack pack =

@@ -42,8 +42,8 @@
  * its end, always to a new file that then replaces the last one. A search whose file is there goes
  * on from it, to the same end, bit by bit, on any number of ranks.
  *
- * Every iteration asks whether to stop: by the time limit, by the stop file, or by SetAbortExecute
- * from an observer of progress (which only reaches the group of rank 0). The best cells so far are
+ * Every iteration asks whether to stop: by the time limit, by the stop file, by a
+ * vtkRUCStopRequest, or by SetAbortExecute from an observer of progress. The best cells so far are
  * then the output. Equation numbers: Lee et al., Phys. Rev. E 80, 061301 (2009).
  */
 #ifndef vtkRUCUnitCellReconstruction_h
@@ -309,7 +309,8 @@ private:
   double FindEdge(
     const ruc::TwoPointProbability& probability, double diameter, RankCommunicator& ranks);
   CellSearch::Settings GetSearchSettings() const;
-  // Why the search should end now: empty, "Time limit", "Stop file" or "Abort"
+  void ForgetWishes();
+  // Why the search should end now: empty, "Time limit", "Stop file", "Abort" or "Stop button"
   std::string FindStopReason(const ProgressReport& report);
   // Searches, and fills the outputs
   void Reconstruct(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The window that shows a run of the plugin's filters and stops it: see pqRUCRunMonitor.h, which
+// starts it.
+//
+//     RepresentativeUnitCellRun [x y]      centred at this place of the screen
+//
+// It reads lines `seconds<TAB>fraction<TAB>text` until the end of its standard input, draws F2
+// where the text tells it, and writes the line `stop` when its button is pressed.
+#include <QApplication>
+#include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QScreen>
+#include <QSocketNotifier>
+#include <QVBoxLayout>
+#include <QWidget>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <vector>
+
+#include <unistd.h>
+
+namespace
+{
+// F2 against time, on a logarithmic axis
+class ConvergencePlot : public QWidget
+{
+public:
+  void add(double seconds, double objective)
+  {
+    if (objective > 0.0 && std::isfinite(objective))
+    {
+      this->Points.push_back({ seconds, std::log10(objective) });
+      this->setVisible(true);
+      this->update();
+    }
+  }
+
+protected:
+  void paintEvent(QPaintEvent*) override
+  {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QFontMetrics text = this->fontMetrics();
+    const int left = text.horizontalAdvance("0.0000") + 8;
+    const QRectF frame(left, text.height() / 2 + 2, this->width() - left - 12,
+      this->height() - 2.5 * text.height() - 4);
+    painter.fillRect(frame, this->palette().base());
+
+    // Whole and half decades, so that the axis moves seldom
+    double low = this->Points.front().y(), high = low;
+    for (const QPointF& point : this->Points)
+    {
+      low = std::min(low, point.y());
+      high = std::max(high, point.y());
+    }
+    low = std::floor(2.0 * low - 0.2) / 2.0;
+    high = std::ceil(2.0 * high + 0.2) / 2.0;
+    const double last = std::max(this->Points.back().x(), 1.0);
+    const auto place = [&](double seconds, double exponent)
+    {
+      return QPointF(frame.left() + frame.width() * seconds / last,
+        frame.bottom() - frame.height() * (exponent - low) / (high - low));
+    };
+
+    const double step = high - low > 2.0 ? 1.0 : 0.5;
+    for (double exponent = low; exponent <= high + 1e-9; exponent += step)
+    {
+      const double y = place(0.0, exponent).y();
+      painter.setPen(this->palette().color(QPalette::Midlight));
+      painter.drawLine(QPointF(frame.left(), y), QPointF(frame.right(), y));
+      painter.setPen(this->palette().color(QPalette::Text));
+      painter.drawText(QRectF(0, y - text.height() / 2.0, left - 5, text.height()),
+        Qt::AlignRight | Qt::AlignVCenter, QString::number(std::pow(10.0, exponent), 'g', 2));
+    }
+    painter.setPen(this->palette().color(QPalette::Text));
+    painter.drawRect(frame);
+    const QRectF below(frame.left(), frame.bottom() + 2, frame.width(), text.height());
+    painter.drawText(below, Qt::AlignLeft, "0");
+    painter.drawText(below, Qt::AlignHCenter, "Time (s)");
+    painter.drawText(below, Qt::AlignRight, QString::number(last, 'f', 0));
+
+    QPainterPath path(place(this->Points.front().x(), this->Points.front().y()));
+    for (const QPointF& point : this->Points)
+    {
+      path.lineTo(place(point.x(), point.y()));
+    }
+    painter.setPen(QPen(QColor("#1f77b4"), 2.0));
+    painter.drawPath(path);
+  }
+
+private:
+  std::vector<QPointF> Points;
+};
+
+class RunWindow : public QWidget
+{
+public:
+  RunWindow()
+  {
+    this->setWindowTitle("Representative Unit Cell: running");
+    this->setWindowFlags(Qt::Dialog | Qt::WindowStaysOnTopHint);
+    this->setAttribute(Qt::WA_ShowWithoutActivating);
+    this->Text.setWordWrap(true);
+    this->Text.setMinimumWidth(420);
+    this->Bar.setRange(0, 1000);
+    this->Plot.setMinimumHeight(200);
+    this->Plot.setVisible(false);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(&this->Title);
+    layout->addWidget(&this->Text);
+    layout->addWidget(&this->Bar);
+    layout->addWidget(&this->Plot, 1);
+    layout->addWidget(&this->Stop, 0, Qt::AlignRight);
+    QFont bold = this->Title.font();
+    bold.setBold(true);
+    this->Title.setFont(bold);
+    this->Stop.setToolTip("Ends the run and keeps the best so far");
+    QObject::connect(&this->Stop, &QPushButton::clicked, this, &RunWindow::stop);
+  }
+
+  void tell(double seconds, double fraction, const QString& progress)
+  {
+    const int colon = progress.indexOf(": ");
+    this->Title.setText(progress.left(colon));
+    this->Text.setText(progress.mid(colon + 2));
+    this->Bar.setValue(static_cast<int>(1000.0 * fraction));
+    static const QRegularExpression objective("F2 = ([-+0-9.eE]+)");
+    const QRegularExpressionMatch match = objective.match(progress);
+    if (match.hasMatch())
+    {
+      this->Plot.add(seconds, match.captured(1).toDouble());
+    }
+  }
+
+private:
+  void stop()
+  {
+    std::cout << "stop" << std::endl;
+    this->Stop.setEnabled(false);
+    this->Stop.setText("Stopping…");
+  }
+
+  QLabel Title, Text;
+  QProgressBar Bar;
+  ConvergencePlot Plot;
+  QPushButton Stop{ "Stop" };
+};
+}
+
+int main(int argc, char** argv)
+{
+  QApplication application(argc, argv);
+  RunWindow window;
+  QByteArray unread;
+  QSocketNotifier input(STDIN_FILENO, QSocketNotifier::Read);
+  QObject::connect(&input, &QSocketNotifier::activated, &window,
+    [&]()
+    {
+      char part[4096];
+      const ssize_t size = read(STDIN_FILENO, part, sizeof(part));
+      if (size <= 0)
+      {
+        QApplication::quit();
+        return;
+      }
+      unread.append(part, static_cast<int>(size));
+      for (int end = unread.indexOf('\n'); end >= 0; end = unread.indexOf('\n'))
+      {
+        const QString line = QString::fromUtf8(unread.left(end));
+        unread.remove(0, end + 1);
+        window.tell(line.section('\t', 0, 0).toDouble(), line.section('\t', 1, 1).toDouble(),
+          line.section('\t', 2));
+      }
+    });
+  window.adjustSize();
+  const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
+  const QPoint centre =
+    argc == 3 ? QPoint(std::atoi(argv[1]), std::atoi(argv[2])) : screen.center();
+  window.move(centre - window.rect().center());
+  window.show();
+  return QApplication::exec();
+}

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqRUCRunMonitor.h"
+
+#include "vtkRUCStopRequest.h"
+
+#include <pqApplicationCore.h>
+#include <pqProgressManager.h>
+#include <vtkClientServerStream.h>
+#include <vtkPVPluginTracker.h>
+#include <vtkSMProxyManager.h>
+#include <vtkSMSession.h>
+#include <vtkSMSessionProxyManager.h>
+
+#include <QApplication>
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <QWidget>
+
+namespace
+{
+constexpr int Patience = 1000; // milliseconds
+
+// Texts of progress begin with the name of the filter
+bool IsOurs(const QString& text)
+{
+  static const QRegularExpression names("^(One-Point Probability|Two-Point Probability|"
+                                        "Three-Point Probability|Unit Cell Reconstruction): ");
+  return names.match(text).hasMatch();
+}
+
+QString Program()
+{
+  auto* tracker = vtkPVPluginTracker::GetInstance();
+  for (unsigned int n = 0; n < tracker->GetNumberOfPlugins(); ++n)
+  {
+    if (QString(tracker->GetPluginName(n)) == "RepresentativeUnitCell")
+    {
+      const QFileInfo plugin(tracker->GetPluginFileName(n));
+      return plugin.absolutePath() + "/RepresentativeUnitCellRun";
+    }
+  }
+  return {};
+}
+}
+
+pqRUCRunMonitor::pqRUCRunMonitor(QObject* parent)
+  : QObject(parent)
+{
+}
+
+void pqRUCRunMonitor::onStartup()
+{
+  auto* progress = pqApplicationCore::instance()->getProgressManager();
+  QObject::connect(progress, &pqProgressManager::progress, this, &pqRUCRunMonitor::onProgress);
+  QObject::connect(
+    progress, &pqProgressManager::enableProgress, this, &pqRUCRunMonitor::onEnableProgress);
+}
+
+void pqRUCRunMonitor::onShutdown()
+{
+  this->onEnableProgress(false);
+}
+
+void pqRUCRunMonitor::onEnableProgress(bool running)
+{
+  if (!running)
+  {
+    // The window ends when its input does.
+    this->Running.invalidate();
+    this->Window.closeWriteChannel();
+    this->Window.waitForFinished(Patience);
+  }
+}
+
+void pqRUCRunMonitor::onProgress(const QString& text, int percent)
+{
+  if (!IsOurs(text))
+  {
+    return;
+  }
+  if (!this->Running.isValid())
+  {
+    this->Running.start();
+    this->Opened = false;
+    this->Unsaid.clear();
+  }
+  this->Unsaid += QString("%1\t%2\t%3\n")
+                    .arg(1e-3 * this->Running.elapsed())
+                    .arg(percent / 100.0)
+                    .arg(text)
+                    .toUtf8();
+  if (!this->Opened)
+  {
+    if (this->Running.elapsed() < Patience)
+    {
+      return;
+    }
+    this->Opened = true;
+    this->open();
+  }
+  if (this->Window.state() != QProcess::Running)
+  {
+    return; // closed by the user: the run goes on
+  }
+  this->Window.write(this->Unsaid);
+  this->Unsaid.clear();
+  // There is no event loop that would write and read meanwhile.
+  this->Window.waitForBytesWritten(0);
+  this->Window.waitForReadyRead(0);
+  while (this->Window.canReadLine())
+  {
+    if (this->Window.readLine().trimmed() == "stop")
+    {
+      this->stopRun();
+    }
+  }
+}
+
+void pqRUCRunMonitor::open()
+{
+  QStringList place;
+  if (const QWidget* main = QApplication::activeWindow())
+  {
+    const QPoint centre = main->mapToGlobal(main->rect().center());
+    place << QString::number(centre.x()) << QString::number(centre.y());
+  }
+  this->Window.start(Program(), place);
+  this->Window.waitForStarted(Patience);
+}
+
+void pqRUCRunMonitor::stopRun()
+{
+  vtkSMSession* session = vtkSMProxyManager::GetProxyManager()->GetActiveSession();
+  if (!session)
+  {
+    return;
+  }
+  const vtkClientServerID id(session->GetNextGlobalUniqueIdentifier());
+  vtkClientServerStream stream;
+  stream << vtkClientServerStream::New << "vtkRUCStopRequest" << id << vtkClientServerStream::End
+         << vtkClientServerStream::Invoke << id << "Make" << vtkRUCStopRequest::Token()
+         << vtkClientServerStream::End << vtkClientServerStream::Delete << id
+         << vtkClientServerStream::End;
+  session->ExecuteStream(vtkPVSession::DATA_SERVER_ROOT, stream);
+}
