@@ -102,6 +102,10 @@ ruc::Estimate vtkRUCThreePointProbability::MakeEstimate()
                                        std::min((pack.Periodic ? 0.5 : 0.25) * pack.ShortestEdge,
                                          PackEstimate::AutomaticLag(pack, false))),
     this->NumberOfDirections };
+  if (this->NumberOfThrows < 1 || grid.Directions < 2 || grid.Directions > ruc::MostFanDirections)
+  {
+    throw std::invalid_argument("There is no such work.");
+  }
   ruc::Estimate estimate = ruc::EstimatePack(pack);
   estimate += ruc::EstimatePairSum(pack, grid.Lags);
   estimate += ruc::EstimateFans(pack, grid, ruc::ParseTriples(this->Phases, pack.Modes).size(),

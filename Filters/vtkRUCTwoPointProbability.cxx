@@ -357,7 +357,7 @@ ruc::Estimate vtkRUCTwoPointProbability::MakeEstimate()
   const ruc::LagGrid lags = TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags,
     PackEstimate::AutomaticLag(pack, this->Method == EXACT_PAIR_SUM));
   const ruc::SamplingSettings lines = this->GetSettings(false), throws = this->GetSettings(true);
-  if (this->Method != EXACT_PAIR_SUM && lines.TargetError > 0.0)
+  if ((this->SamplesRegion() && lines.TargetError > 0.0) || lines.Samples < 1 || throws.Samples < 1)
   {
     throw std::invalid_argument("How many samples an error takes is only known from samples.");
   }
@@ -365,23 +365,21 @@ ruc::Estimate vtkRUCTwoPointProbability::MakeEstimate()
   ruc::Estimate estimate = ruc::EstimatePack(pack);
   if (byChords || this->ChordLengths)
   {
-    estimate += ruc::EstimateChords(pack, lags, lines.Samples);
+    ruc::Estimate chords = ruc::EstimateChords(pack, lags, lines.Samples);
+    chords.Seconds *= byChords ? 1 + this->NumberOfDirections : 1;
+    estimate += chords;
   }
-  if (this->Method == EXACT_PAIR_SUM)
+  if (this->Method == TEMPLATE_SAMPLING)
+  {
+    estimate += ruc::EstimateTemplate(pack, lags, throws.Samples);
+  }
+  else if (this->Method == EXACT_PAIR_SUM)
   {
     estimate += ruc::EstimatePairSum(pack, lags);
     if (this->NumberOfDirections > 0)
     {
       estimate += ruc::EstimatePairSumAlong(pack, lags, this->NumberOfDirections);
     }
-  }
-  else if (this->Method == TEMPLATE_SAMPLING)
-  {
-    estimate += ruc::EstimateTemplate(pack, lags, throws.Samples);
-  }
-  for (int direction = 0; byChords && direction < this->NumberOfDirections; ++direction)
-  {
-    estimate += ruc::EstimateChords(pack, lags, lines.Samples);
   }
   if (!this->ImagePairs.empty())
   {

@@ -15,22 +15,24 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double Megabyte = 1e6;
 
 // Seconds, measured
-constexpr double PerPair = 9.5e-9;        // found, and added to a histogram
-constexpr double PerPairByLists = 25e-9;  // handed out one by one
-constexpr double PerPairAndLag = 2.5e-9;  // closed form
-constexpr double PerClassAndLag = 1.3e-6; // histogram of a pair of types to S_rs
+constexpr double PerPair = 9.5e-9;            // found, and added to a histogram
+constexpr double PerPairByLists = 25e-9;      // handed out one by one
+constexpr double PerPairAndLag = 2.5e-9;      // closed form
+constexpr double PerClassAndLag = 1.3e-6;     // histogram of a pair of types to S_rs
+constexpr double PerClassAndLagOfCell = 5e-8; // on fewer knots
 constexpr double PerPairAndDirection = 4.9e-9;
 constexpr double PerPairOfMap = 3.3e-7;
 constexpr double PerPairAndVoxel = 2.5e-9;
-constexpr double PerHit = 110e-9;           // of a line by a sphere
-constexpr double PerPairOfChanges = 7e-9;   // of phases on a line
-constexpr double PerBatchEntry = 3.7e-9;    // a pair of phases and a lag of a batch
-constexpr double PerPoint = 50e-9;          // whose phase is looked up
-constexpr double PerRayHit = 150e-9;        // of a fan
-constexpr double PerPairOfIntervals = 6e-9; // on two rays of a fan
-constexpr double PerGridEntry = 3e-9;       // of S_rsq, a batch
-constexpr double PerSphere = 1e-6;          // shared, sorted, its overlap
-constexpr double PerMemberSphere = 5e-6;    // start or child of a population, freed from overlap
+constexpr double PerHit = 110e-9;             // of a line by a sphere
+constexpr double PerPairOfChanges = 7e-9;     // of phases on a line
+constexpr double PerBatchEntry = 3.7e-9;      // a pair of phases and a lag of a batch
+constexpr double PerPoint = 50e-9;            // whose phase is looked up
+constexpr double PerRayHit = 3.5e-7;          // of a fan
+constexpr double PerPairOfIntervals = 1.4e-9; // on two rays of a fan
+constexpr double PerGridEntry = 1e-9;         // of S_rsq, a batch
+constexpr double PerSphere = 1e-6;            // shared, sorted, its overlap
+constexpr double PerMemberSphere = 1e-6;      // at random or deposited
+constexpr double PerChildSphere = 1.4e-5;     // and freed from overlap by springs
 
 constexpr int Batches = 64; // of lines or throws, at least
 constexpr int FewestBatchesOfFans = 32;
@@ -167,7 +169,7 @@ double EstimateEvaluation(const CellFigures& cell, const LagGrid& lags, bool wit
   const double pairs = 0.5 * cell.Spheres * cell.Density * 4.0 / 3.0 * Pi *
     Cube(lags.Maximum() + 2.0 * cell.LargestRadius);
   const double classes = 0.5 * cell.Modes * (cell.Modes + 1.0);
-  return (pairs * PerPair + classes * lags.Count * 0.3 * PerClassAndLag) *
+  return (pairs * PerPair + classes * lags.Count * PerClassAndLagOfCell) *
     (withGradient ? 2.0 : 1.0);
 }
 
@@ -181,10 +183,12 @@ Estimate EstimateGradientSearch(const CellFigures& cell, const LagGrid& lags, in
 Estimate EstimatePopulationSearch(
   const CellFigures& cell, const LagGrid& lags, const PopulationSettings& settings)
 {
-  const double child = cell.Spheres * PerMemberSphere + EstimateEvaluation(cell, lags, false);
+  const double evaluation = EstimateEvaluation(cell, lags, false);
+  const double member = cell.Spheres * PerMemberSphere + evaluation;
+  const double child = cell.Spheres * PerChildSphere + evaluation;
   const double descent = settings.RefinementSteps * EstimateEvaluation(cell, lags, true);
   const double children = settings.RefinementSteps > 0 ? 0.0 : settings.MatingPool;
-  return { settings.Population * child +
+  return { settings.Population * member +
       static_cast<double>(settings.MaximumGenerations) * (children * child + descent),
     settings.Population * cell.Spheres * 24.0 / Megabyte, 0.0 };
 }
