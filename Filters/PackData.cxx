@@ -204,6 +204,20 @@ bool WindowProperties::HasCylinder() const
   return this->CylinderRadius != 0.0 || this->CylinderHeight != 0.0;
 }
 
+std::optional<ruc::Window> FindWindowHere(vtkPointSet* input, const WindowProperties& properties)
+{
+  const std::vector<double> window = LocalWindow(input);
+  if (window[0] != 0.0)
+  {
+    return MakeWindow(window);
+  }
+  if (properties.HasBox() || properties.HasCylinder())
+  {
+    return MakeWindow(properties);
+  }
+  return {};
+}
+
 std::string FindLengthUnit(vtkDataObject* data, RankCommunicator& ranks)
 {
   vtkAbstractArray* unit = data ? data->GetFieldData()->GetAbstractArray("LengthUnit") : nullptr;

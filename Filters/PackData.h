@@ -5,6 +5,7 @@
 #include "Geometry/PackShare.h"
 #include "Statistics/TwoPointProbability.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,10 @@ SharedPack FindShare(
  */
 ObservedPack GatherPack(
   vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks);
+
+/** What this rank alone knows of the window: by its field data, else the properties, else nothing.
+ * Throws std::invalid_argument as FindPiece does. */
+std::optional<ruc::Window> FindWindowHere(vtkPointSet* input, const WindowProperties& properties);
 
 /** The point array of that name as double, checked: numeric, one component. Null where there are no
  * points. */

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRUCPackAlgorithm.h"
 
+#include "Estimates.h"
 #include "PackData.h"
+#include "PackEstimate.h"
 #include "RankCommunicator.h"
 
 #include "vtkInformation.h"
@@ -10,6 +12,9 @@
 #include "vtkPointSet.h"
 
 #include <algorithm>
+#include <cmath>
+#include <exception>
+#include <stdexcept>
 
 int vtkRUCPackAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -35,6 +40,47 @@ PackData::WindowProperties vtkRUCPackAlgorithm::GetWindowProperties() const
   properties.CylinderHeight = this->CylinderHeight;
   properties.Crop = this->CropToWindow;
   return properties;
+}
+
+ruc::PackFigures vtkRUCPackAlgorithm::FindFigures()
+{
+  const RankCommunicator ranks(this->GetController());
+  return PackEstimate::FindFigures(vtkPointSet::SafeDownCast(this->GetInputDataObject(0, 0)),
+    this->GetWindowProperties(), static_cast<double>(this->SpheresInInput), ranks.Size());
+}
+
+ruc::Estimate vtkRUCPackAlgorithm::MakeEstimate()
+{
+  throw std::invalid_argument("not known");
+}
+
+double vtkRUCPackAlgorithm::GetEstimatedTime()
+{
+  const RankCommunicator ranks(this->GetController());
+  try
+  {
+    const double seconds = this->MakeEstimate().Seconds / PackEstimate::Cores(ranks.Size());
+    return std::isfinite(seconds) && seconds > 0.0 ? seconds : 0.0;
+  }
+  catch (const std::exception&)
+  {
+    return 0.0;
+  }
+}
+
+double vtkRUCPackAlgorithm::GetEstimatedMemory()
+{
+  const RankCommunicator ranks(this->GetController());
+  try
+  {
+    const ruc::Estimate estimate = this->MakeEstimate();
+    const double megabytes = estimate.MegabytesOfRank + estimate.MegabytesOfAll / ranks.Size();
+    return std::isfinite(megabytes) && megabytes > 0.0 ? megabytes : 0.0;
+  }
+  catch (const std::exception&)
+  {
+    return 0.0;
+  }
 }
 
 void vtkRUCPackAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

@@ -23,6 +23,11 @@ namespace PackData
 {
 struct WindowProperties;
 }
+namespace ruc
+{
+struct Estimate;
+struct PackFigures;
+}
 
 class RUCFILTERS_EXPORT vtkRUCPackAlgorithm : public vtkRUCParallelAlgorithm
 {
@@ -60,6 +65,25 @@ public:
   vtkSetMacro(CropToWindow, bool);
   vtkGetMacro(CropToWindow, bool);
   ///@}
+  ///@{
+  /**
+   * For the estimates alone: how many spheres the input has on all ranks together, which rank 0
+   * cannot know by itself. Does not modify the filter. Default: 0, the input's field data
+   * `NumberOfSpheres`, or on one rank its points.
+   */
+  void SetSpheresInInput(vtkIdType number) { this->SpheresInInput = number; }
+  vtkIdType GetSpheresInInput() const { return this->SpheresInInput; }
+  ///@}
+
+  /**
+   * What a run with the properties as they are would take on an even pack: seconds, with the work
+   * shared by all ranks and their threads, and megabytes of 10^6 bytes on every rank. Told from the
+   * input as it was last updated on this rank, without any work and without asking other ranks, so
+   * to a factor of three (Core/Estimates.h). 0 where that is not known: without input, for
+   * properties out of range, and by the filters that do not say.
+   */
+  double GetEstimatedTime();
+  virtual double GetEstimatedMemory();
 
 protected:
   vtkRUCPackAlgorithm() = default;
@@ -72,6 +96,12 @@ protected:
     vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks) override;
 
   PackData::WindowProperties GetWindowProperties() const;
+
+  /** What the estimates are made of, from figures of the pack; throws std::exception where they are
+   * not known. */
+  virtual ruc::Estimate MakeEstimate();
+  /** The pack as this rank alone knows it; throws std::invalid_argument where it does not. */
+  ruc::PackFigures FindFigures();
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
@@ -87,6 +117,7 @@ private:
   double CylinderRadius = 0.0;
   double CylinderHeight = 0.0;
   bool CropToWindow = false;
+  vtkIdType SpheresInInput = 0;
 };
 
 #endif

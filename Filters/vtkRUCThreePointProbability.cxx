@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRUCThreePointProbability.h"
 
+#include "Estimates.h"
 #include "ImageSlab.h"
 #include "PackData.h"
+#include "PackEstimate.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
 #include "Reconstruction/OverlapRemoval.h"
@@ -25,7 +27,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkRUCThreePointProbability);
@@ -90,8 +91,26 @@ double vtkRUCThreePointProbability::GetEstimatedMemory()
   }
   catch (const std::invalid_argument&)
   {
-    return std::numeric_limits<double>::quiet_NaN();
+    return 0.0;
   }
+}
+
+ruc::Estimate vtkRUCThreePointProbability::MakeEstimate()
+{
+  const ruc::PackFigures pack = this->FindFigures();
+  const ruc::ThreePointGrid grid = { TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags,
+                                       std::min((pack.Periodic ? 0.5 : 0.25) * pack.ShortestEdge,
+                                         PackEstimate::AutomaticLag(pack, false))),
+    this->NumberOfDirections };
+  if (this->NumberOfThrows < 1 || grid.Directions < 2 || grid.Directions > ruc::MostFanDirections)
+  {
+    throw std::invalid_argument("There is no such work.");
+  }
+  ruc::Estimate estimate = ruc::EstimatePack(pack);
+  estimate += ruc::EstimatePairSum(pack, grid.Lags);
+  estimate += ruc::EstimateFans(pack, grid, ruc::ParseTriples(this->Phases, pack.Modes).size(),
+    this->StandardErrors, this->NumberOfThrows);
+  return estimate;
 }
 
 void vtkRUCThreePointProbability::Execute(

@@ -108,9 +108,9 @@ public:
   /**
    * What a rank would use, in megabytes of 10^6 bytes, with the properties as they are, in a region
    * with a border (a fully periodic box takes a little less); "all" counts for the modes of the
-   * input as it was last updated. Not a number where that is not known.
+   * input as it was last updated. 0 where that is not known.
    */
-  double GetEstimatedMemory();
+  double GetEstimatedMemory() override;
 
 protected:
   vtkRUCThreePointProbability();
@@ -120,6 +120,7 @@ protected:
   int RequestInformation(
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
+  ruc::Estimate MakeEstimate() override;
 
 private:
   vtkRUCThreePointProbability(const vtkRUCThreePointProbability&) = delete;

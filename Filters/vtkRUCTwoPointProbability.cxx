@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRUCTwoPointProbability.h"
 
+#include "Estimates.h"
 #include "Geometry/Directions.h"
 #include "ImageSlab.h"
 #include "PackData.h"
+#include "PackEstimate.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
 #include "Reconstruction/OverlapRemoval.h"
@@ -346,6 +348,51 @@ void vtkRUCTwoPointProbability::FillDirections(const PackData::SharedPack& pack,
     TwoPointTables::FillIsotropy(directional, vtkTable::GetData(outputs, ISOTROPY));
     TwoPointTables::FillDirections(directional, vtkTable::GetData(outputs, DIRECTIONS));
   }
+}
+
+ruc::Estimate vtkRUCTwoPointProbability::MakeEstimate()
+{
+  this->ValidateProperties();
+  const ruc::PackFigures pack = this->FindFigures();
+  const ruc::LagGrid lags = TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags,
+    PackEstimate::AutomaticLag(pack, this->Method == EXACT_PAIR_SUM));
+  const ruc::SamplingSettings lines = this->GetSettings(false), throws = this->GetSettings(true);
+  if ((this->SamplesRegion() && lines.TargetError > 0.0) || lines.Samples < 1 || throws.Samples < 1)
+  {
+    throw std::invalid_argument("How many samples an error takes is only known from samples.");
+  }
+  const bool byChords = this->Method == CHORD_SAMPLING;
+  ruc::Estimate estimate = ruc::EstimatePack(pack);
+  if (byChords || this->ChordLengths)
+  {
+    ruc::Estimate chords = ruc::EstimateChords(pack, lags, lines.Samples);
+    chords.Seconds *= byChords ? 1 + this->NumberOfDirections : 1;
+    estimate += chords;
+  }
+  if (this->Method == TEMPLATE_SAMPLING)
+  {
+    estimate += ruc::EstimateTemplate(pack, lags, throws.Samples);
+  }
+  else if (this->Method == EXACT_PAIR_SUM)
+  {
+    estimate += ruc::EstimatePairSum(pack, lags);
+    if (this->NumberOfDirections > 0)
+    {
+      estimate += ruc::EstimatePairSumAlong(pack, lags, this->NumberOfDirections);
+    }
+  }
+  if (!this->ImagePairs.empty())
+  {
+    const int n = this->ImageResolution;
+    estimate +=
+      ruc::EstimateMap(pack, this->ImageSpacing > 0.0 ? n * this->ImageSpacing : lags.Maximum(),
+        static_cast<int>(ParsePairs(this->ImagePairs, pack.Modes).size()), n);
+  }
+  if (this->RadialDistribution)
+  {
+    estimate += ruc::EstimateRadialDistribution(pack, lags);
+  }
+  return estimate;
 }
 
 void vtkRUCTwoPointProbability::PrintSelf(ostream& os, vtkIndent indent)

@@ -163,6 +163,7 @@ protected:
   int RequestInformation(
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
+  ruc::Estimate MakeEstimate() override;
 
 private:
   vtkRUCTwoPointProbability(const vtkRUCTwoPointProbability&) = delete;

@@ -4,7 +4,9 @@
 
 #include "CellSearch.h"
 #include "ComparisonTables.h"
+#include "Estimates.h"
 #include "PackData.h"
+#include "PackEstimate.h"
 #include "ProbabilityTable.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
@@ -25,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numeric>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkRUCUnitCellReconstruction);
@@ -45,6 +48,9 @@ const char* const MethodNames[] = { "Gradient", "Annealed Population", "Hybrid" 
 
 // Of a target: a table may be rounded, or sampled
 constexpr double TargetTolerance = 0.005;
+
+// Saturation length over mean diameter, for estimates; of dense packs 4 to 6
+constexpr double TypicalSaturation = 5.0;
 
 void FillConvergence(const ruc::UnitCell& cell, vtkTable* table)
 {
@@ -326,6 +332,62 @@ CellSearch::Settings vtkRUCUnitCellReconstruction::GetSearchSettings() const
     ruc::CheckSettings(population);
   }
   return settings;
+}
+
+ruc::CellFigures vtkRUCUnitCellReconstruction::FindCellFigures(
+  ruc::LagGrid& lags, ruc::Estimate& input)
+{
+  ruc::CellFigures cell;
+  double edge = this->CellSize;
+  if (vtkTable* table = vtkTable::SafeDownCast(this->GetInputDataObject(0, 0)))
+  {
+    cell = PackEstimate::FindCellFigures(table, this->ModeDiameters, lags);
+    edge = edge > 0.0 ? edge : 2.0 * lags.Maximum();
+  }
+  else
+  {
+    const ruc::PackFigures pack = this->FindFigures();
+    cell = { 0.0, pack.Density(), pack.LargestRadius, pack.Modes };
+    const double automatic = PackEstimate::AutomaticLag(pack, true);
+    input = ruc::EstimatePack(pack);
+    if (this->NumberOfParticles == 0 && this->ModeCounts.empty() && edge == 0.0)
+    {
+      input +=
+        ruc::EstimatePairSum(pack, TwoPointSum::MakeLags(0.0, this->NumberOfLags, automatic));
+      edge = 2.0 * std::min(automatic, TypicalSaturation * pack.MeanDiameter);
+    }
+  }
+  cell.Spheres = !this->ModeCounts.empty()
+    ? std::accumulate(this->ModeCounts.begin(), this->ModeCounts.end(), 0.0)
+    : this->NumberOfParticles > 0 ? this->NumberOfParticles
+                                  : cell.Density * edge * edge * edge;
+  return cell;
+}
+
+ruc::Estimate vtkRUCUnitCellReconstruction::MakeEstimate()
+{
+  this->ValidateProperties();
+  const CellSearch::Settings settings = this->GetSearchSettings();
+  ruc::LagGrid lags = { 0.0, 0 };
+  ruc::Estimate estimate;
+  const ruc::CellFigures cell = this->FindCellFigures(lags, estimate);
+  if (lags.Count == 0)
+  {
+    lags = TwoPointSum::MakeLags(
+      this->MaximumLag, this->NumberOfLags, 0.5 * std::cbrt(cell.Spheres / cell.Density));
+    estimate += ruc::EstimatePairSum(this->FindFigures(), lags);
+  }
+  ruc::Estimate search = settings.ByPopulation
+    ? ruc::EstimatePopulationSearch(cell, lags, settings.Population)
+    : ruc::EstimateGradientSearch(cell, lags, this->MaximumIterations);
+  search.Seconds *= this->NumberOfCells;
+  if (this->TimeLimit > 0.0)
+  {
+    const RankCommunicator ranks(this->GetController());
+    search.Seconds = std::min(search.Seconds, this->TimeLimit * PackEstimate::Cores(ranks.Size()));
+  }
+  estimate += search;
+  return estimate;
 }
 
 std::string vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport& report)

@@ -64,6 +64,8 @@ struct Settings;
 namespace ruc
 {
 struct CellContents;
+struct CellFigures;
+struct LagGrid;
 struct ModeAmounts;
 struct TwoPointProbability;
 }
@@ -295,12 +297,16 @@ protected:
   void Execute(
     vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
+  /** At most: to the last iteration or generation, or the time limit. */
+  ruc::Estimate MakeEstimate() override;
 
 private:
   vtkRUCUnitCellReconstruction(const vtkRUCUnitCellReconstruction&) = delete;
   void operator=(const vtkRUCUnitCellReconstruction&) = delete;
 
   void ValidateProperties() const;
+  // The spheres, density and sizes of a cell, and `input`, the work on the pack before the search
+  ruc::CellFigures FindCellFigures(ruc::LagGrid& lags, ruc::Estimate& input);
   ruc::ModeAmounts FindAmounts(const ruc::ModeAmounts& ofInput) const;
   // `findEdge` is called when nothing else tells the size
   ruc::CellContents FindContents(

@@ -112,6 +112,28 @@ f2 = [table.GetValueByName(row, 'Objective').ToDouble() for row in range(table.G
 report('five cells of at most 1000 iterations', '%.1f s  F2 %.4f to %.4f' % (taken, min(f2), max(f2)))
 report('their (16), largest of the modes, and (17) of their mean, %', '%.4f  %.4f' % (
     max(value for name, value in percent.items() if name.startswith('c_') and name != 'c_m'), percent['all']))
+
+
+def estimate_job(what, filter, **settings):
+    """EstimatedTime over what the run then took, and EstimatedMemory."""
+    source = filter(Input=modes, MaximumLag=200, **settings)
+    source.UpdateVTKObjects()
+    source.SMProxy.UpdatePropertyInformation()
+    seconds, memory = [source.GetProperty(name).GetData() for name in ('EstimatedTime', 'EstimatedMemory')]
+    begin = time.perf_counter()
+    source.UpdatePipeline()
+    taken = time.perf_counter() - begin
+    report('estimated over measured, ' + what, '%.2f  (%.2f s, %.0f MB)' % (seconds / taken, seconds, memory))
+
+
+for method in ('Exact Pair Sum', 'Chord Sampling', 'Template Sampling'):
+    estimate_job(method, TwoPointProbability, Method=method)
+estimate_job('32 directions', TwoPointProbability, NumberOfDirections=32)
+estimate_job('map 21^3', TwoPointProbability, ImagePairs='m m', ImageResolution=10)
+estimate_job('fans', ThreePointProbability)
+estimate_job('Gradient, 200 iterations', UnitCellReconstruction, NumberOfParticles=1082, MaximumIterations=200)
+estimate_job('Annealed Population, 20 generations', UnitCellReconstruction, NumberOfParticles=1082, Method='Annealed Population', MaximumGenerations=20)
+estimate_job('Hybrid, 5 generations', UnitCellReconstruction, NumberOfParticles=1082, Method='Hybrid', MaximumGenerations=5)
 if least:
     for iterations in (2000, 10000):
         report('cell of 1082, %d iterations at most' % iterations, cell_job(MaximumIterations=iterations)[0])

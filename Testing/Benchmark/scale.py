@@ -49,11 +49,14 @@ for tiles in ((1, 1, 1), (2, 5, 1), (5, 5, 4), (10, 10, 10))[0 if ranks == 1 els
     pack.UpdatePipeline()
     spheres = pack.GetDataInformation().GetNumberOfPoints()
     probability = TwoPointProbability(Input=pack, MaximumLag=5 * diameter, NumberOfLags=200)
+    probability.UpdateVTKObjects()
+    probability.SMProxy.UpdatePropertyInformation()
+    estimate = probability.GetProperty('EstimatedTime').GetData()
     begin = time.perf_counter()
     probability.UpdatePipeline()
     timed.append((spheres, time.perf_counter() - begin))
     report('exact sum of %d spheres, lags to five mean diameters' % spheres,
-           '%.2f s, peak memory of each rank %s MB' % (timed[-1][1], peak_megabytes()))
+           '%.2f s, estimated %.2f s, peak memory of each rank %s MB' % (timed[-1][1], estimate, peak_megabytes()))
     Delete(probability)
     Delete(pack)
 if len(timed) > 1:

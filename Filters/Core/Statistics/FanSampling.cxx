@@ -17,7 +17,7 @@ namespace
 // At 2^31 throws there are 2^21 batches, and with up to 2^9 rays no N_b exceeds 2^20: sums of
 // squares stay below 2^61
 constexpr int MostThrowsInBatch = 1024, FewestBatchesForErrors = 64, FewestBatchesForRanks = 16,
-              MostDirections = 512, MostFanLags = 20000;
+              MostFanLags = 20000;
 constexpr std::int64_t MostThrows = std::int64_t(1) << 31;
 
 // A fan traced: which lags of its rays lie in the phases that play a part. Along a ray a phase
@@ -591,7 +591,7 @@ void CheckFans(
   };
   require(settings.Throws >= 1 && settings.Throws <= MostThrows,
     "NumberOfThrows requires a number from 1 to 2147483648", settings.Throws);
-  require(grid.Directions >= 2 && grid.Directions <= MostDirections,
+  require(grid.Directions >= 2 && grid.Directions <= MostFanDirections,
     "NumberOfDirections requires a number from 2 to 512", grid.Directions);
   require(grid.Lags.Count >= 1 && grid.Lags.Count <= MostFanLags,
     "NumberOfLags requires a number from 1 to 20000", grid.Lags.Count);

@@ -14,6 +14,9 @@
 
 namespace ruc
 {
+/** Rays around a circle. */
+constexpr int MostFanDirections = 512;
+
 struct FanSettings
 {
   std::uint32_t Seed = 1;

@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""EstimatedTime and EstimatedMemory: known before a run and without one, 0 where there is nothing to go by. How long a run takes is no
+matter of tests; Testing/Benchmark/run prints it."""
+import os
+
+from paraview.simple import *
+
+from harness import RANKS, fetch, run
+
+here = os.path.dirname(os.path.abspath(__file__))
+
+
+def estimate(source):
+    """As a panel asks: seconds and megabytes."""
+    source.UpdateVTKObjects()
+    source.SMProxy.UpdatePropertyInformation()
+    return [source.GetProperty(name).GetData() for name in ('EstimatedTime', 'EstimatedMemory')]
+
+
+def has_run(source):
+    info = source.GetDataInformation()
+    return info.GetNumberOfRows() > 0 or info.GetNumberOfPoints() > 0
+
+
+def make_pack():
+    reader = SpherePackReader(FileName=os.path.join(here, '../Gui/pack.csv'))
+    modes = ParticleModes(Input=reader, NumberOfModes=2)
+    modes.UpdatePipeline()
+    return modes
+
+
+def filters():
+    return TwoPointProbability, ThreePointProbability, UnitCellReconstruction
+
+
+def without_a_run():
+    """The estimates are there before the first run, grow with the work, and running is left to the user."""
+    pack = make_pack()
+    more = {TwoPointProbability: {'NumberOfDirections': 32}, ThreePointProbability: {'NumberOfThrows': 1000000},
+            UnitCellReconstruction: {'NumberOfCells': 4}}
+    for filter in filters():
+        source = filter(Input=pack)
+        seconds, megabytes = estimate(source)
+        assert seconds > 0.0 and megabytes > 0.0, (filter, seconds, megabytes)
+        longer = filter(Input=pack, **more[filter])
+        assert estimate(longer)[0] > seconds, (filter, seconds)
+        assert not has_run(source) and not has_run(longer), filter
+    for method in ('Chord Sampling', 'Template Sampling'):
+        assert min(estimate(TwoPointProbability(Input=pack, Method=method))) > 0.0, method
+    for method in ('Annealed Population', 'Hybrid'):
+        assert min(estimate(UnitCellReconstruction(Input=pack, Method=method))) > 0.0, method
+    # At most the time limit, on top of the work on the pack
+    endless = UnitCellReconstruction(Input=pack, MaximumIterations=1000000000)
+    unlimited = estimate(endless)[0]
+    endless.TimeLimit = 5
+    assert 5.0 <= estimate(endless)[0] < 10.0 < unlimited, (estimate(endless), unlimited)
+
+
+def spheres_told():
+    """SpheresInInput is what a spread pack has in all; it asks for no run, neither of this filter nor of those behind it."""
+    pack = make_pack()
+    source = TwoPointProbability(Input=pack)
+    own = estimate(source)[0]
+    number = pack.GetDataInformation().GetNumberOfPoints()
+    source.SpheresInInput = number
+    assert estimate(source)[0] == own, 'the field data say the same'
+    source.UpdatePipeline()
+    behind = source.SMProxy.GetClientSideObject()
+    before = behind.GetMTime()
+    source.SpheresInInput = 100 * number
+    assert estimate(source)[0] > 10 * own
+    assert behind.GetMTime() == before
+
+
+def from_a_table():
+    """The target as a table: with its own lags and the diameters given."""
+    table = TwoPointProbability(Input=make_pack(), NumberOfLags=30)
+    table.UpdatePipeline()
+    cell = UnitCellReconstruction(Input=table, NumberOfParticles=50)
+    assert estimate(cell) == [0.0, 0.0], 'without diameters'
+    cell.ModeDiameters = [1.0, 1.0]
+    few = estimate(cell)
+    cell.NumberOfParticles = 500
+    assert 0.0 < few[0] < estimate(cell)[0] and few[1] > 0.0, (few, estimate(cell))
+
+
+def nothing_to_go_by():
+    """0, and no error, for a pack that was not updated, that has no modes, and for properties out of range."""
+    reader = SpherePackReader(FileName=os.path.join(here, '../Gui/pack.csv'))
+    for source in (reader, ParticleModes(Input=reader)):
+        for filter in filters():
+            assert estimate(filter(Input=source))[0] == 0.0, (filter, source)
+    reader.UpdatePipeline()
+    pack = make_pack()
+    for filter in filters():
+        assert estimate(filter(Input=reader))[0] == 0.0, 'no modes'
+        for bad in ({'MaximumLag': -1.0}, {'NumberOfLags': 0}, {'NumberOfLags': -5}, {'MaximumLag': float('nan')}):
+            assert estimate(filter(Input=pack, **bad))[0] == 0.0, (filter, bad)
+    for bad in ({'ImagePairs': 'x'}, {'ImagePairs': '1 7'}, {'NumberOfDirections': 1}, {'Method': 'Chord Sampling', 'TargetError': 0.1},
+                {'Method': 'Chord Sampling', 'NumberOfLines': -3}):
+        assert estimate(TwoPointProbability(Input=pack, **bad))[0] == 0.0, bad
+    for bad in ({'Phases': '1 2'}, {'Phases': '1 2 9'}, {'NumberOfThrows': -1}, {'NumberOfDirections': -20}, {'NumberOfDirections': 100000}):
+        assert estimate(ThreePointProbability(Input=pack, **bad))[0] == 0.0, bad
+    for bad in ({'NumberOfParticles': -1}, {'NumberOfCells': 0}, {'CellSize': -2.0}, {'Method': 'Hybrid', 'HybridPopulation': 1}):
+        assert estimate(UnitCellReconstruction(Input=pack, **bad)) == [0.0, 0.0], bad
+
+
+def shared_by_ranks():
+    """The pack of two sources lies on rank 0 or on both; field data or SpheresInInput tell how many there are."""
+    pack = make_pack()
+    spread = DistributePoints(Input=pack) if RANKS > 1 else pack
+    spread.UpdatePipeline()
+    whole, parts = [estimate(TwoPointProbability(Input=source, MaximumLag=1.0)) for source in (pack, spread)]
+    # Sizes are taken from the spheres of one rank
+    assert abs(parts[0] - whole[0]) < 0.5 * whole[0] and abs(parts[1] - whole[1]) < 0.5 * whole[1], (whole, parts)
+    assert fetch(TwoPointProbability(Input=spread, MaximumLag=1.0)).GetNumberOfRows() == 278
+
+
+run((without_a_run, spheres_told, from_a_table, nothing_to_go_by, shared_by_ranks))
