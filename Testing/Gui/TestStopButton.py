@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the window of stop-button runs: a search for many minutes that has to end by the click on Stop, with what it found so far.
+
+The pack and the port of a server, if any, come in RUC_PACK and RUC_PORT, since paraview --script takes no arguments.
+"""
+import os
+import traceback
+
+from paraview.simple import *
+
+LIMIT = 60  # seconds; without Stop the search ends by this
+
+
+def run():
+    if os.environ.get("RUC_PORT"):
+        Connect("127.0.0.1", int(os.environ["RUC_PORT"]))
+    modes = ParticleModes(Input=SpherePackReader(FileName=os.environ["RUC_PACK"]), NumberOfModes=9)
+    cells = UnitCellReconstruction(Input=modes, NumberOfParticles=1000, MaximumLag=200, Method="Hybrid", NumberOfCells=2,
+                                   TimeLimit=LIMIT)
+    cells.UpdatePipeline()
+    table = servermanager.Fetch(cells, 0, idx=4)
+    assert table.GetNumberOfRows() >= 1
+    for row in range(table.GetNumberOfRows()):
+        ended = table.GetColumnByName("EndedBy").GetValue(row)
+        assert ended == "Stop button", f"cell {row + 1} ended by {ended}"
+    cell = servermanager.Fetch(cells)
+    assert cell.GetNumberOfPoints() == 1000
+    fields = cell.GetFieldData()
+    assert 0 < fields.GetArray("Objective").GetValue(0) < 0.2 and fields.GetArray("Stopped").GetValue(0) == 1
+    # The wish ends one run alone: the next one goes to its own end
+    again = UnitCellReconstruction(Input=modes, NumberOfParticles=300, MaximumLag=200, MaximumIterations=3)
+    again.UpdatePipeline()
+    assert servermanager.Fetch(again).GetFieldData().GetAbstractArray("EndedBy").GetValue(0) == "Maximum iterations"
+
+
+try:
+    run()
+except BaseException:
+    traceback.print_exc()
+    os._exit(1)
+print("stopped as wished", flush=True)
+os._exit(0)  # a script does not end ParaView's window otherwise
