@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProgressReport.h"
 
+#include "vtkRUCStopRequest.h"
+
 #include "vtkAlgorithm.h"
 
 #include <iostream>
@@ -19,6 +21,8 @@ ProgressReport::ProgressReport(vtkAlgorithm* filter, const std::string& name)
   , LastUpdate(Start - UpdateInterval)
   , LastLine(Start)
 {
+  filter->SetAbortExecute(0); // VTK leaves it standing
+  vtkRUCStopRequest::Clear();
 }
 
 double ProgressReport::Seconds() const
@@ -26,7 +30,7 @@ double ProgressReport::Seconds() const
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
 }
 
-void ProgressReport::Update(double fraction, const std::string& text)
+bool ProgressReport::Update(double fraction, const std::string& text)
 {
   const auto now = std::chrono::steady_clock::now();
   if (now - this->LastUpdate >= UpdateInterval)
@@ -41,4 +45,5 @@ void ProgressReport::Update(double fraction, const std::string& text)
     std::cout << this->Name << ": " << static_cast<int>(this->Seconds()) << " s, " << text
               << std::endl;
   }
+  return !this->Filter->GetAbortExecute() && !vtkRUCStopRequest::IsPending();
 }

@@ -9,16 +9,20 @@ class vtkAlgorithm;
 
 /**
  * Tells a user how far a filter is: the text and the bar of the GUI about ten times a second, and a
- * line on the standard output every few seconds, which is what a batch run shows. To be used on
+ * line on the standard output every few seconds, which is what a batch run shows. To be updated on
  * rank 0 alone, from its main thread.
  */
 class ProgressReport
 {
 public:
+  /** Forgets wishes that an earlier run should stop; on any rank. */
   ProgressReport(vtkAlgorithm* filter, const std::string& name);
 
-  /** `fraction` in [0, 1] of the work is done; `text` says what is going on. */
-  void Update(double fraction, const std::string& text);
+  /**
+   * `fraction` in [0, 1] of the work is done; `text` says what is going on. Returns whether to
+   * carry on: false once there is a vtkRUCStopRequest or somebody has called SetAbortExecute.
+   */
+  bool Update(double fraction, const std::string& text);
 
   double Seconds() const;
 

@@ -59,12 +59,7 @@ void vtkRUCOnePointProbability::Execute(
     const std::unique_ptr<ruc::SamplingRegion> region = this->MakeRegion(pack, ranks);
     const bool throws = this->Method == TEMPLATE_SAMPLING;
     const auto progress = [&](double done, const std::string& text)
-    {
-      if (ranks.Rank() == 0)
-      {
-        report.Update(done, text);
-      }
-    };
+    { return ranks.Rank() != 0 || report.Update(done, text); };
     const ruc::LagGrid noLags = { 1.0, 0 };
     const ruc::SamplingSettings settings = this->GetSettings(throws);
     const int modes = pack.Share.NumberOfModes();
@@ -77,6 +72,12 @@ void vtkRUCOnePointProbability::Execute(
     PackData::AddField(table, throws ? "NumberOfThrows" : "NumberOfLines",
       std::vector<long long>{ static_cast<long long>(sampled.Samples) });
     PackData::AddField(table, "TotalError", std::vector<double>{ sampled.TotalError });
+    PackData::AddField(table, "Stopped", std::vector<long long>{ sampled.Stopped });
+    if (sampled.Stopped && ranks.Rank() == 0)
+    {
+      vtkWarningMacro(<< this->GetLabel() << ": stopped after " << sampled.Samples
+                      << (throws ? " throws." : " lines."));
+    }
   }
   if (ranks.Rank() == 0)
   {

@@ -145,15 +145,19 @@ void vtkRUCThreePointProbability::Execute(
   }
   const auto progress = [&](double done, const std::string& text)
   {
-    if (ranks.Rank() == 0)
-    {
+    return ranks.Rank() != 0 ||
       report.Update(done, ruc::Text(text, ", ", std::ceil(memory), " MB on every rank"));
-    }
   };
   progress(0.0, "tracing");
 
   const ruc::ThreePointProbability probability =
     ruc::SampleFans(share.Own, modes, *region, grid, triples, settings, ranks, progress);
+  const bool stopped = probability.GetThrows() < this->NumberOfThrows;
+  if (stopped && ranks.Rank() == 0)
+  {
+    vtkWarningMacro(<< this->GetLabel() << ": stopped after " << probability.GetThrows()
+                    << " throws.");
+  }
   const double overlap = ruc::MeasureOverlap(share, ranks).Percent;
   const bool exact = !this->HasMask() && overlap <= PackData::TolerableOverlap;
   const ruc::TwoPointProbability twoPoint =
@@ -176,7 +180,9 @@ void vtkRUCThreePointProbability::Execute(
     PackData::AddField(data, "NumberOfLags", std::vector<long long>{ grid.Lags.Count });
     PackData::AddField(data, "MaximumLag", std::vector<double>{ grid.Lags.Maximum() });
     PackData::AddField(data, "NumberOfDirections", std::vector<long long>{ grid.Directions });
-    PackData::AddField(data, "NumberOfThrows", std::vector<long long>{ this->NumberOfThrows });
+    PackData::AddField(data, "NumberOfThrows",
+      std::vector<long long>{ static_cast<long long>(probability.GetThrows()) });
+    PackData::AddField(data, "Stopped", std::vector<long long>{ stopped });
     PackData::AddField(data, "EstimatedMemory", std::vector<double>{ memory });
     PackData::AddPackSummary(data, pack, share.NumberOfSpheres, twoPoint.Fractions, overlap);
     this->AddRegionSummary(data, *region);

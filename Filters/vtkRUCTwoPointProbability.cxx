@@ -148,8 +148,7 @@ void vtkRUCTwoPointProbability::Execute(
   const ruc::LagGrid lags = TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags, automatic);
 
   ruc::ChordLengths chords;
-  const ruc::SampledTwoPoint measured =
-    this->Measure(share, region.get(), lags, ranks, report, chords);
+  ruc::SampledTwoPoint measured = this->Measure(share, region.get(), lags, ranks, report, chords);
   if (ranks.Rank() == 0)
   {
     this->FillTables(measured, chords, share, outputs);
@@ -160,7 +159,8 @@ void vtkRUCTwoPointProbability::Execute(
   }
   if (this->NumberOfDirections > 0)
   {
-    this->FillDirections(pack, region.get(), lags, outputs, ranks, report);
+    measured.Stopped =
+      this->FillDirections(pack, region.get(), lags, outputs, ranks, report) || measured.Stopped;
   }
   if (this->RadialDistribution)
   {
@@ -188,9 +188,15 @@ void vtkRUCTwoPointProbability::Execute(
         this->Method == TEMPLATE_SAMPLING ? "NumberOfThrows" : "NumberOfLines",
         std::vector<long long>{ static_cast<long long>(measured.Samples) });
       PackData::AddField(data, "TotalError", std::vector<double>{ measured.TotalError });
+      PackData::AddField(data, "Stopped", std::vector<long long>{ measured.Stopped });
     }
   }
   this->AddConsistency(measured.Mean, share, vtkTable::GetData(outputs, CHECKS));
+  if (measured.Stopped && ranks.Rank() == 0)
+  {
+    vtkWarningMacro(<< this->GetLabel() << ": stopped after " << measured.Samples
+                    << (this->Method == TEMPLATE_SAMPLING ? " throws." : " lines."));
+  }
   const bool sumsPairs = this->Method == EXACT_PAIR_SUM || !imagePairs.empty();
   if (sumsPairs && ranks.Rank() == 0 && overlap > PackData::TolerableOverlap)
   {
@@ -203,12 +209,7 @@ ruc::SampledTwoPoint vtkRUCTwoPointProbability::Measure(const ruc::PackShare& sh
   ProgressReport& report, ruc::ChordLengths& chords) const
 {
   const auto progress = [&](double done, const std::string& text)
-  {
-    if (ranks.Rank() == 0)
-    {
-      report.Update(done, text);
-    }
-  };
+  { return ranks.Rank() != 0 || report.Update(done, text); };
   const int modes = share.NumberOfModes();
   ruc::SampledTwoPoint byChords = { ruc::TwoPointProbability(modes, lags), {}, {}, {}, 0, 0.0 };
   if (this->Method == CHORD_SAMPLING || this->ChordLengths)
@@ -315,18 +316,14 @@ void vtkRUCTwoPointProbability::FillMap(const PackData::SharedPack& pack,
   outputs->GetInformationObject(MAP)->Set(vtkDataObject::SPACING(), spacing, spacing, spacing);
 }
 
-void vtkRUCTwoPointProbability::FillDirections(const PackData::SharedPack& pack,
+bool vtkRUCTwoPointProbability::FillDirections(const PackData::SharedPack& pack,
   const ruc::SamplingRegion* region, const ruc::LagGrid& lags, vtkInformationVector* outputs,
   RankCommunicator& ranks, ProgressReport& report)
 {
   const std::vector<ruc::Vector3> directions = ruc::EvenDirections(this->NumberOfDirections);
   const auto progress = [&](double done, const std::string& text)
-  {
-    if (ranks.Rank() == 0)
-    {
-      report.Update(done, "directions, " + text);
-    }
-  };
+  { return ranks.Rank() != 0 || report.Update(done, "directions, " + text); };
+  bool stopped = false;
   ruc::DirectionalProbability directional;
   if (this->Method == EXACT_PAIR_SUM)
   {
@@ -339,6 +336,7 @@ void vtkRUCTwoPointProbability::FillDirections(const PackData::SharedPack& pack,
     for (ruc::SampledTwoPoint& along : ruc::SampleChordsAlong(directions, pack.Share.Own,
            pack.Share.NumberOfModes(), *region, lags, this->GetSettings(false), ranks, progress))
     {
+      stopped = stopped || along.Stopped;
       directional.Values.push_back(std::move(along.Mean));
       directional.Errors.push_back(std::move(along.Errors));
     }
@@ -348,6 +346,7 @@ void vtkRUCTwoPointProbability::FillDirections(const PackData::SharedPack& pack,
     TwoPointTables::FillIsotropy(directional, vtkTable::GetData(outputs, ISOTROPY));
     TwoPointTables::FillDirections(directional, vtkTable::GetData(outputs, DIRECTIONS));
   }
+  return stopped;
 }
 
 ruc::Estimate vtkRUCTwoPointProbability::MakeEstimate()

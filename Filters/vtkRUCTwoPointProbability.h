@@ -182,7 +182,8 @@ private:
   void FillMap(const PackData::SharedPack& pack, const std::vector<std::array<int, 2>>& pairs,
     const ruc::LagGrid& lags, vtkInformationVector* outputs, RankCommunicator& ranks,
     ProgressReport& report);
-  void FillDirections(const PackData::SharedPack& pack, const ruc::SamplingRegion* region,
+  // Returns whether it was stopped early
+  bool FillDirections(const PackData::SharedPack& pack, const ruc::SamplingRegion* region,
     const ruc::LagGrid& lags, vtkInformationVector* outputs, RankCommunicator& ranks,
     ProgressReport& report);
   void FillRadialDistribution(const ruc::PackShare& share, const ruc::LagGrid& lags,

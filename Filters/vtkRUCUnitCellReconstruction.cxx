@@ -411,12 +411,6 @@ std::string vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport& r
   return {};
 }
 
-void vtkRUCUnitCellReconstruction::ForgetWishes()
-{
-  this->SetAbortExecute(0); // VTK leaves the wish of a former run standing
-  vtkRUCStopRequest::Clear();
-}
-
 void vtkRUCUnitCellReconstruction::Execute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
@@ -426,7 +420,6 @@ void vtkRUCUnitCellReconstruction::Execute(
     this->Superclass::Execute(inputs, outputs, ranks);
     return;
   }
-  this->ForgetWishes();
   this->ValidateProperties();
   ProgressReport report(this, this->GetLabel());
   const ruc::TwoPointProbability target = ProbabilityTable::Read(table, "Input", ranks);
@@ -442,7 +435,6 @@ void vtkRUCUnitCellReconstruction::Execute(
 void vtkRUCUnitCellReconstruction::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
-  this->ForgetWishes();
   this->ValidateProperties();
   ProgressReport report(this, this->GetLabel());
   const PackData::SharedPack pack =

@@ -315,7 +315,6 @@ private:
   double FindEdge(
     const ruc::TwoPointProbability& probability, double diameter, RankCommunicator& ranks);
   CellSearch::Settings GetSearchSettings() const;
-  void ForgetWishes();
   // Why the search should end now: empty, "Time limit", "Stop file", "Abort" or "Stop button"
   std::string FindStopReason(const ProgressReport& report);
   // Searches, and fills the outputs

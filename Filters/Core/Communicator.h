@@ -28,6 +28,14 @@ public:
   virtual void Minimum(std::int32_t* /*values*/, std::size_t /*count*/) {}
   virtual void Minimum(double* /*values*/, std::size_t /*count*/) {}
 
+  /** Whether all ranks say yes. */
+  bool All(bool yes)
+  {
+    std::int32_t least = yes;
+    this->Minimum(&least, 1);
+    return least != 0;
+  }
+
   /** `outgoing[q]` goes to rank q; returned is what came from each rank, this one included. */
   virtual std::vector<std::vector<double>> Exchange(std::vector<std::vector<double>> outgoing)
   {

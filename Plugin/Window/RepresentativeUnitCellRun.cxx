@@ -132,6 +132,9 @@ public:
     const int colon = progress.indexOf(": ");
     this->Title.setText(progress.left(colon));
     this->Text.setText(progress.mid(colon + 2));
+    // A sum over pairs has nothing to keep before its end.
+    static const QRegularExpression divisible("F2 = | lines| throws");
+    this->Stop.setVisible(divisible.match(progress).hasMatch());
     this->Bar.setValue(static_cast<int>(1000.0 * fraction));
     static const QRegularExpression objective("F2 = ([-+0-9.eE]+)");
     const QRegularExpressionMatch match = objective.match(progress);

@@ -389,9 +389,13 @@ TEST(ChordSampling, DirectionsTellAnAnisotropicPack)
   ruc::Communicator serial;
   std::vector<double> done;
   const double d = 1.0 / std::sqrt(3.0);
-  const std::vector<SampledTwoPoint> along =
-    ruc::SampleChordsAlong({ { 1, 0, 0 }, { d, d, d } }, pack, 1, SamplingRegion(box, 0.0), lags,
-      { 1, 6400, 0.0 }, serial, [&](double share, const std::string&) { done.push_back(share); });
+  const std::vector<SampledTwoPoint> along = ruc::SampleChordsAlong({ { 1, 0, 0 }, { d, d, d } },
+    pack, 1, SamplingRegion(box, 0.0), lags, { 1, 6400, 0.0 }, serial,
+    [&](double share, const std::string&)
+    {
+      done.push_back(share);
+      return true;
+    });
   ASSERT_EQ(along.size(), 2u);
   for (int n : { 0, 1 })
   {

@@ -550,12 +550,39 @@ TEST(FanSampling, ReportsItsProgress)
     {
       done.push_back(share);
       last = text;
+      return true;
     });
   EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
   ASSERT_GT(done.size(), 10u);
   EXPECT_GT(done.front(), 0.0);
   EXPECT_EQ(done.back(), 1.0);
   EXPECT_EQ(last, "500 throws");
+}
+
+TEST(FanSampling, StopsWithTheThrowsTakenSoFar)
+{
+  // 16 throws are 16 batches of one, and so are 6.
+  const Medium medium = Media()[0];
+  const ThreePointGrid grid = { { 0.4, 3 }, 8 };
+  for (int size : { 1, 2 })
+  {
+    oracle::ThreadRanks::Run(size,
+      [&](ruc::Communicator& ranks)
+      {
+        const SpherePack own = oracle::PieceOf(medium.Pack, ranks.Rank(), ranks.Size(), false);
+        const ThreePointProbability stopped = ruc::SampleFans(own, 2, medium.Region, grid,
+          { { 0, 0, 0 } }, { 1, 16, false }, ranks,
+          [&](double share, const std::string&) { return ranks.Rank() > 0 || share < 6.0 / 16.0; });
+        const ThreePointProbability expected =
+          ruc::SampleFans(own, 2, medium.Region, grid, { { 0, 0, 0 } }, { 1, 6, false }, ranks);
+        EXPECT_EQ(stopped.GetThrows(), 6);
+        for (int k = 0; k <= grid.Lags.Count; ++k)
+        {
+          EXPECT_EQ(stopped.Value(0, k, 1, 2), expected.Value(0, k, 1, 2));
+        }
+        EXPECT_EQ(stopped.ThirdOrder(0).Zeta, expected.ThirdOrder(0).Zeta);
+      });
+  }
 }
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
@@ -583,7 +610,10 @@ TEST(FanSampling, TakesTheMemoryItSays)
         const ThreePointProbability sampled = ruc::SampleFans(medium.Pack, 2, medium.Region, grid,
           Triples, { 1, throws, withErrors }, serial,
           [&](double, const std::string&)
-          { most.back() = std::max(most.back(), taken() - before); });
+          {
+            most.back() = std::max(most.back(), taken() - before);
+            return true;
+          });
         // Two of the seven triples are another one with s and q swapped, and not counted again. The
         // rest is for the cells of the pack and up to 125 throws of 12 rays in hand, 3 kB each.
         const double estimate = ruc::EstimateFanMemory(grid, 5, withErrors, bounded);

@@ -265,6 +265,7 @@ TEST(SampledSums, TakesEverySampleOnce)
       {
         done.push_back(share);
         EXPECT_NE(text.find(" lines"), std::string::npos);
+        return true;
       },
       &taken);
     EXPECT_EQ(result.Samples, samples);
@@ -276,6 +277,27 @@ TEST(SampledSums, TakesEverySampleOnce)
     EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
     EXPECT_EQ(done.back(), 1.0);
   }
+}
+
+TEST(SampledSums, StopsWithTheSamplesTakenSoFar)
+{
+  // 3000 samples come in batches of 32, and so do 640.
+  const SampledTwoPoint expected = TossCoins({ 1, 640, 0.0 }, 1, 5, {});
+  for (int size : { 1, 3 })
+  {
+    const auto enough = [](double share, const std::string&) { return share < 640.0 / 3000.0; };
+    const SampledTwoPoint result = TossCoins({ 1, 3000, 0.0 }, size, 5, enough);
+    EXPECT_TRUE(result.Stopped);
+    EXPECT_EQ(result.Samples, 640);
+    EXPECT_EQ(result.Mean.Fractions, expected.Mean.Fractions);
+    EXPECT_NEAR(result.FractionErrors[0], 0.5 / std::sqrt(640.0), 0.25 * 0.5 / std::sqrt(640.0));
+  }
+  EXPECT_FALSE(expected.Stopped);
+  // A target out of reach, too
+  const SampledTwoPoint aimed =
+    TossCoins({ 1, 0, 1e-4 }, 3, 5, [](double share, const std::string&) { return share < 0.01; });
+  EXPECT_TRUE(aimed.Stopped);
+  EXPECT_GT(aimed.TotalError, 1e-4);
 }
 
 TEST(SampledSums, StopsAtTheTargetError)

@@ -382,7 +382,7 @@ std::vector<SampledTwoPoint> SampleChordsAlong(const std::vector<Vector3>& direc
     {
       part = [&](double done, const std::string& text)
       {
-        progress((number + done) / directions.size(),
+        return progress((number + done) / directions.size(),
           Text("direction ", number + 1, " of ", directions.size(), ", ", text));
       };
     }

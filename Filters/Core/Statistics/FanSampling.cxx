@@ -119,20 +119,21 @@ public:
 
   ThreePointCounts Count(const SamplingProgress& progress)
   {
-    const std::int64_t batches = this->Counts.Batches;
-    for (std::int64_t first = 0; first < batches; first += this->Ranks.Size())
+    for (std::int64_t first = 0; first < this->Counts.Batches; first += this->Ranks.Size())
     {
-      const std::int64_t end = std::min<std::int64_t>(first + this->Ranks.Size(), batches);
+      const std::int64_t end =
+        std::min<std::int64_t>(first + this->Ranks.Size(), this->Counts.Batches);
       this->Trace(first, end);
       this->Gather(end - first);
       if (first + this->Ranks.Rank() < end)
       {
         this->CountBatch(first);
       }
-      if (progress)
+      const std::int64_t taken = std::min(end * this->ThrowsInBatch, this->Counts.Throws);
+      if (!this->Ranks.All(!progress ||
+            progress(static_cast<double>(taken) / this->Counts.Throws, Text(taken, " throws"))))
       {
-        const std::int64_t taken = std::min(end * this->ThrowsInBatch, this->Counts.Throws);
-        progress(static_cast<double>(taken) / this->Counts.Throws, Text(taken, " throws"));
+        this->EndAfter(end, taken);
       }
     }
     this->Finish();
@@ -202,6 +203,16 @@ private:
   RayFan FanOf(std::int64_t sample) const
   {
     return RayFan::Random(this->Region, this->Settings.Seed, static_cast<std::uint32_t>(sample));
+  }
+
+  void EndAfter(std::int64_t batches, std::int64_t throws)
+  {
+    this->Counts.Batches = batches;
+    this->Counts.Throws = throws;
+    for (ThreePointCounts::Triple& triple : this->Counts.Triples)
+    {
+      triple.Integrals.resize(triple.Integrals.empty() ? 0 : batches, { 0.0, 0.0, 0.0 });
+    }
   }
 
   // Batches first to end - 1, one for each rank, through the spheres of this rank

@@ -284,6 +284,7 @@ SampledTwoPoint TakeSamples(const SamplingSettings& settings, const SampleNames&
     range.Samples = std::int64_t(FewestBatches) * range.SamplesInBatch;
     expected = std::numeric_limits<double>::infinity();
   }
+  bool carryOn = true;
   for (;;)
   {
     const std::int64_t batches = (range.Samples + range.SamplesInBatch - 1) / range.SamplesInBatch;
@@ -291,16 +292,15 @@ SampledTwoPoint TakeSamples(const SamplingSettings& settings, const SampleNames&
     {
       table->BeginRound(communicator, batches);
     }
-    while (range.End < batches)
+    while (carryOn && range.End < batches)
     {
       range.First = range.End;
       range.End = std::min(batches, range.First + batchesAtOnce);
       take(range);
-      if (progress)
-      {
-        const std::int64_t taken = range.EndSample(range.End - 1);
-        progress(std::min(taken / expected, 1.0), Text(taken, " ", names.Noun));
-      }
+      const std::int64_t taken = range.EndSample(range.End - 1);
+      carryOn = communicator.All(
+        !progress || progress(std::min(taken / expected, 1.0), Text(taken, " ", names.Noun)));
+      range.Samples = carryOn ? range.Samples : taken;
     }
     for (SampledRatios* table : tables)
     {
@@ -308,7 +308,8 @@ SampledTwoPoint TakeSamples(const SamplingSettings& settings, const SampleNames&
     }
     SampledTwoPoint result = sums.Result();
     result.Samples = range.Samples;
-    if (!aimed || result.TotalError <= settings.TargetError)
+    result.Stopped = !carryOn;
+    if (!aimed || !carryOn || result.TotalError <= settings.TargetError)
     {
       return result;
     }

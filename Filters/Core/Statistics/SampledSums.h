@@ -29,6 +29,7 @@ struct SampledTwoPoint
   // The sum over all N^2 ordered pairs of the discrete norm of Errors (k = 1…K); for K = 0 the sum
   // of FractionErrors
   double TotalError = 0.0;
+  bool Stopped = false; // before there were as many as wanted
 };
 
 struct SamplingSettings
@@ -38,8 +39,11 @@ struct SamplingSettings
   double TargetError = 0.0; // > 0: samples are added until TotalError <= TargetError
 };
 
-/** Told the share that is done and what that is in words, on the calling thread. */
-using SamplingProgress = std::function<void(double done, const std::string& text)>;
+/**
+ * Told the share that is done and what that is in words, on the calling thread; returns whether to
+ * carry on. When any rank says no, sampling ends on all with the samples taken by then.
+ */
+using SamplingProgress = std::function<bool(double done, const std::string& text)>;
 
 /**
  * A table of ratio estimates R = sum N / sum D over batches of samples, with their standard errors
