@@ -9,6 +9,7 @@ import math
 import os
 import random
 import sys
+import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
@@ -219,5 +220,35 @@ def stretched_packs():
     assert sigma[1.25]['sigma_S_m_m'] > 1.5 * sigma[1.0]['sigma_S_m_m'], sigma
 
 
+def stopped_early():
+    """Sampling that is stopped keeps what it has: fewer samples than asked for, and values within their errors."""
+    pack = periodic_cell(300)
+    exact = columns(TwoPointProbability(Input=pack, MaximumLag=100, NumberOfLags=20))
+    most = 10**7
+    runs = {'chords': TwoPointProbability(Input=pack, MaximumLag=100, NumberOfLags=20, Method=CHORDS, NumberOfLines=most),
+            'template': TwoPointProbability(Input=pack, MaximumLag=100, NumberOfLags=20, Method='Template Sampling', NumberOfThrows=most),
+            'fans': ThreePointProbability(Input=pack, MaximumLag=100, NumberOfLags=20, Phases='m m m', NumberOfThrows=most)}
+    for name, source in runs.items():
+        filter = source.GetClientSideObject()
+        begun = []
+
+        def stop(*_):
+            begun.append(time.time())
+            if begun[-1] - begun[0] > 0.5:
+                filter.SetAbortExecute(1)
+
+        filter.AddObserver('ProgressEvent', stop)
+        port = 1 if name == 'fans' else 0
+        table = columns(source, port)
+        data = fetch(source, port)
+        samples = field(data, 'NumberOfLines' if name == 'chords' else 'NumberOfThrows')
+        assert field(data, 'Stopped') == 1 and 100 < samples < most, (name, samples)
+        if name == 'fans':
+            continue
+        for k, value in enumerate(table['S_m_m']):
+            error = table['S_m_m_error'][k]
+            assert 0 < error < 0.05 and abs(value - exact['S_m_m'][k]) < 5 * error, (name, k, value, exact['S_m_m'][k], error)
+
+
 if __name__ == '__main__':
-    run((periodic_packs, overlapping_spheres, cylinders, masks, stretched_packs))
+    run((periodic_packs, overlapping_spheres, cylinders, masks, stretched_packs, stopped_early))
