@@ -15,6 +15,7 @@
 #include <vtkInformationVector.h>
 #include <vtkMath.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
 #include <vtkPVRenderView.h>
 #include <vtkPoints.h>
@@ -152,7 +153,7 @@ vtkRUCSpheresRepresentation::vtkRUCSpheresRepresentation()
   this->WindowActor->SetMapper(mapper);
   this->WindowActor->PickableOff();
   this->WindowActor->GetProperty()->LightingOff();
-  this->WindowActor->GetProperty()->SetLineWidth(1.5);
+  this->WindowActor->GetProperty()->SetLineWidth(2.0);
 }
 
 vtkRUCSpheresRepresentation::~vtkRUCSpheresRepresentation() = default;
@@ -260,11 +261,18 @@ int vtkRUCSpheresRepresentation::ProcessViewRequest(
     this->Spheres->AddSpheres(this->ProcessedData, box);
     box.GetBounds(bounds);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, this->Actor->GetMatrix());
-    // What the superclass asks for, moving the spheres to where they can be drawn in the order of
-    // the ranks, loses some of them in ParaView 5.11 as Debian 12 has it. Opaque ones need no
-    // order.
-    outInfo->Remove(vtkPVRenderView::NEED_ORDERED_COMPOSITING());
-    vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this, 0);
+    // What the superclass asks for, moving points so that ranks can be drawn one behind the other,
+    // loses some of them in ParaView 5.11 as Debian 12 has it. Opaque spheres need no order.
+    if (this->IsTranslucent())
+    {
+      vtkPVRenderView::SetOrderedCompositingConfiguration(
+        inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
+    }
+    else
+    {
+      outInfo->Remove(vtkPVRenderView::NEED_ORDERED_COMPOSITING());
+      vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this, 0);
+    }
     vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, this->IsTranslucent());
 
     vtkPVView::SetPiece(inInfo, this, this->Window, 0, WindowPort);
@@ -274,8 +282,15 @@ int vtkRUCSpheresRepresentation::ProcessViewRequest(
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
-    this->WindowActor->GetMapper()->SetInputDataObject(
-      vtkPVView::GetDeliveredPiece(inInfo, this, WindowPort));
+    vtkDataObject* window = vtkPVView::GetDeliveredPiece(inInfo, this, WindowPort);
+    auto* ranks = vtkMultiProcessController::GetGlobalController();
+    if (this->IsTranslucent() && ranks && ranks->GetLocalProcessId() > 0)
+    {
+      // The first rank draws all spheres
+      this->Mapper->SetInputDataObject(nullptr);
+      window = nullptr;
+    }
+    this->WindowActor->GetMapper()->SetInputDataObject(window);
     this->WindowActor->SetUserMatrix(this->Actor->GetMatrix());
     auto* view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()));
     const double shade = IsDark(view->GetRenderer()->GetBackground()) ? 1.0 : 0.0;

@@ -14,8 +14,9 @@ class vtkRUCSphereMapper;
  * Draws points as spheres of their true radius, and the window of a pack as lines.
  *
  * On several rendering ranks each draws its own points, and the nearest wins in every pixel: the
- * picture is that of one rank. Translucent spheres blend in the order of their depth, so every rank
- * then receives and draws all of them.
+ * picture is that of one rank. Translucent spheres blend in the order of their depth, so the first
+ * rank then draws them all; other data in the view that lie on other ranks are blended in front of
+ * or behind all of them.
  *
  * The window comes from the data's field data: `BoxOrigin` and `BoxSize`, or `CylinderBase`,
  * `CylinderAxis`, `CylinderRadius` and `CylinderHeight`. Its lines are white on a dark background
