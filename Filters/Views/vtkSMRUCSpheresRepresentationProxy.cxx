@@ -45,7 +45,9 @@ int NumberOfLabels(vtkSMProxy* map)
   const int labels = annotations.GetNumberOfElements() / 2;
   for (int mode = 1; mode <= labels; ++mode)
   {
-    if (std::to_string(mode) != annotations.GetAsString(2 * mode - 2))
+    const std::string label = std::to_string(mode);
+    if (annotations.GetAsString(2 * mode - 2) != label ||
+      annotations.GetAsString(2 * mode - 1) != label)
     {
       return -1;
     }
