@@ -422,6 +422,7 @@ void FillPolyData(const ruc::SpherePack& pack, vtkPolyData* output)
     vtkNew<vtkIntArray> mode;
     Fill(mode.Get(), "Mode", pack.Mode);
     output->GetPointData()->AddArray(mode);
+    output->GetPointData()->SetActiveScalars("Mode"); // which views colour by
   }
   output->GetPointData()->AddArray(id);
 }

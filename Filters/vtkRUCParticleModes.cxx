@@ -59,6 +59,7 @@ void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::
   output->SetPoints(points);
   output->SetVerts(vertices);
   output->GetPointData()->AddArray(mode);
+  output->GetPointData()->SetActiveScalars("Mode"); // which views colour by
 }
 
 void FillTable(const ruc::ParticleModes& modes, double volume, vtkTable* table)

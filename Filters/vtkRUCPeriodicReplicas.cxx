@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRUCPeriodicReplicas.h"
 
+#include "Geometry/ConvexSurface.h"
 #include "Geometry/PeriodicReplicas.h"
 #include "PackData.h"
 #include "RankCommunicator.h"
@@ -9,7 +10,6 @@
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
-#include "vtkClipClosedSurface.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -18,8 +18,6 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPlane.h"
-#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -88,7 +86,69 @@ void FillPoints(const Copies& copies, vtkPolyData* output)
   output->GetPointData()->AddArray(images);
 }
 
-// The sphere's surface, closed where the box cuts it
+ruc::ConvexSurface ToConvex(vtkPolyData* surface)
+{
+  ruc::ConvexSurface convex;
+  convex.Points.resize(surface->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    surface->GetPoint(i, convex.Points[i].data());
+  }
+  vtkIdType size;
+  const vtkIdType* points;
+  for (surface->GetPolys()->InitTraversal(); surface->GetPolys()->GetNextCell(size, points);)
+  {
+    convex.Faces.emplace_back(points, points + size);
+  }
+  return convex;
+}
+
+// Faces of many corners, the cuts, around their middle, which has no slivers
+void FillTriangles(const ruc::ConvexSurface& convex, vtkPolyData* surface)
+{
+  constexpr std::size_t mostCornersOfAFacet = 6;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> triangles;
+  for (const ruc::Vector3& point : convex.Points)
+  {
+    points->InsertNextPoint(point.data());
+  }
+  auto insert = [&](vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    const vtkIdType corners[3] = { a, b, c };
+    triangles->InsertNextCell(3, corners);
+  };
+  for (const std::vector<int>& face : convex.Faces)
+  {
+    if (face.size() <= mostCornersOfAFacet)
+    {
+      for (std::size_t k = 1; k + 1 < face.size(); ++k)
+      {
+        insert(face[0], face[k], face[k + 1]);
+      }
+      continue;
+    }
+    ruc::Vector3 middle{};
+    for (int corner : face)
+    {
+      for (int q = 0; q < 3; ++q)
+      {
+        middle[q] += convex.Points[corner][q] / face.size();
+      }
+    }
+    const vtkIdType centre = points->InsertNextPoint(middle.data());
+    for (std::size_t k = 0; k < face.size(); ++k)
+    {
+      insert(centre, face[k], face[(k + 1) % face.size()]);
+    }
+  }
+  surface->Initialize();
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+}
+
+// The sphere's surface, closed where the box cuts it: triangles, on a cut around its middle
 void CutSurface(const ruc::Vector3& centre, double radius, const ruc::Window& box, int resolution,
   vtkPolyData* surface)
 {
@@ -98,36 +158,35 @@ void CutSurface(const ruc::Vector3& centre, double radius, const ruc::Window& bo
   sphere->SetThetaResolution(resolution);
   sphere->SetPhiResolution(resolution / 2 + 1);
   sphere->GenerateNormalsOff(); // they would be wrong on the cut faces
-  vtkNew<vtkPlaneCollection> planes;
+  // Copies of a sphere are to have the same cuts on opposite faces
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  surface->ShallowCopy(sphere->GetOutput());
+  ruc::ConvexSurface cut;
   for (int q = 0; q < 3; ++q)
   {
-    for (double side : { 1.0, -1.0 }) // the inward normals of the lower and the upper face
+    for (int side : { 1, -1 }) // above the lower face, below the upper one
     {
-      const double face = side > 0.0 ? box.Origin[q] : box.Origin[q] + box.Size[q];
+      const double face = side > 0 ? box.Origin[q] : box.Origin[q] + box.Size[q];
       if (box.Periodic[q] && side * (centre[q] - face) < radius)
       {
-        double normal[3] = { 0.0, 0.0, 0.0 };
-        double origin[3] = { 0.0, 0.0, 0.0 };
-        normal[q] = side;
-        origin[q] = face;
-        vtkNew<vtkPlane> plane;
-        plane->SetNormal(normal);
-        plane->SetOrigin(origin);
-        planes->AddItem(plane);
+        if (cut.Points.empty())
+        {
+          cut = ToConvex(surface);
+        }
+        cut.Cut(q, face, side, 1e-9 * radius);
+        if (cut.Points.empty())
+        {
+          surface->Initialize(); // the sphere reaches into the box, its facets do not
+          return;
+        }
       }
     }
   }
-  sphere->Update();
-  if (planes->GetNumberOfItems() == 0)
+  if (!cut.Points.empty())
   {
-    surface->ShallowCopy(sphere->GetOutput());
-    return;
+    FillTriangles(cut, surface);
   }
-  vtkNew<vtkClipClosedSurface> clip;
-  clip->SetInputConnection(sphere->GetOutputPort());
-  clip->SetClippingPlanes(planes);
-  clip->Update();
-  surface->ShallowCopy(clip->GetOutput());
 }
 
 // Every point of a surface takes the arrays of its centre
@@ -274,6 +333,7 @@ void vtkRUCPeriodicReplicas::Execute(
   if (this->ClipToBox)
   {
     FillSurfaces(ShareOf(filled, ranks), block, this->SurfaceResolution, surfaces);
+    PackData::AddField(output, "DrawnAsSurfaces", std::vector<long long>{ 1 });
   }
   for (vtkPolyData* data : { output, outline, surfaces })
   {

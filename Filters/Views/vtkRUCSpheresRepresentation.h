@@ -4,10 +4,23 @@
 
 #include "RUCViewsModule.h"
 
+#include <vtkNew.h>
 #include <vtkPointGaussianRepresentation.h>
 
+class vtkPolyData;
+class vtkRUCSphereMapper;
+
 /**
- * Draws points as spheres of their true radius.
+ * Draws points as spheres of their true radius, and the window of a pack as lines.
+ *
+ * On several rendering ranks each draws its own points, and the nearest wins in every pixel: the
+ * picture is that of one rank. Translucent spheres blend in the order of their depth, so the first
+ * rank then draws them all; other data in the view that lie on other ranks are blended in front of
+ * or behind all of them.
+ *
+ * The window comes from the data's field data: `BoxOrigin` and `BoxSize`, or `CylinderBase`,
+ * `CylinderAxis`, `CylinderRadius` and `CylinderHeight`. Its lines are white on a dark background
+ * and black on a light one.
  */
 class RUCVIEWS_EXPORT vtkRUCSpheresRepresentation : public vtkPointGaussianRepresentation
 {
@@ -15,11 +28,41 @@ public:
   static vtkRUCSpheresRepresentation* New();
   vtkTypeMacro(vtkRUCSpheresRepresentation, vtkPointGaussianRepresentation);
 
+  ///@{
+  /** Draw the window. Default: on. */
+  void SetShowWindow(bool show);
+  vtkGetMacro(ShowWindow, bool);
+  ///@}
+  ///@{
+  /** Draw the spheres of data whose field data have `DrawnAsSurfaces` other than 0 as well: those
+   * of Periodic Replicas with Clip To Box, which its third output shows cut. Default: off. */
+  void SetShowCutSpheres(bool show);
+  vtkGetMacro(ShowCutSpheres, bool);
+  ///@}
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+  void SetVisibility(bool visible) override;
+  void SetOpacity(double opacity) override;
+
 protected:
-  vtkRUCSpheresRepresentation() = default;
-  ~vtkRUCSpheresRepresentation() override = default;
+  vtkRUCSpheresRepresentation();
+  ~vtkRUCSpheresRepresentation() override;
+
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
 
 private:
   vtkRUCSpheresRepresentation(const vtkRUCSpheresRepresentation&) = delete;
   void operator=(const vtkRUCSpheresRepresentation&) = delete;
+
+  bool IsTranslucent() const;
+
+  bool ShowWindow = true;
+  bool ShowCutSpheres = false;
+  vtkNew<vtkRUCSphereMapper> Spheres;
+  vtkNew<vtkPolyData> Window;
+  vtkNew<vtkActor> WindowActor;
 };

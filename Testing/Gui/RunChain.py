@@ -59,10 +59,9 @@ for name, (source, ports) in OUTPUTS.items():
 with open(numbers, "w") as file:
     file.write("\n".join(lines) + "\n")
 
-# Glyphs, since the representation Spheres loses spheres where two ranks draw (ParaView 5.11 as Debian 12 has it)
 view = pv.CreateView("RenderView", ViewSize=[400, 300], OrientationAxesVisibility=0)
-display = pv.Show(replicas, view, Representation="3D Glyphs", GlyphType="Sphere", Scaling=1, ScaleMode="Magnitude",
-                  SelectScaleArray="Radius", ScaleFactor=2.0)
+display = pv.Show(replicas, view)
+assert display.Representation == "Spheres"
 pv.Show(servermanager.OutputPort(replicas, 1), view)
 view.ResetCamera()
 pv.SaveScreenshot(picture, view, ImageResolution=view.ViewSize)

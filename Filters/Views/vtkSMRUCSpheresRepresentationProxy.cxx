@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSMRUCSpheresRepresentationProxy.h"
+
+#include <vtkDataObject.h>
+#include <vtkObjectFactory.h>
+#include <vtkPVArrayInformation.h>
+#include <vtkPVDataInformation.h>
+#include <vtkSMProperty.h>
+#include <vtkSMPropertyHelper.h>
+#include <vtkSMSourceProxy.h>
+#include <vtkSMTransferFunctionProxy.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkSMRUCSpheresRepresentationProxy);
+
+namespace
+{
+// The largest mode of the data shown; 0 where they have no modes
+int NumberOfModes(vtkSMProxy* representation)
+{
+  vtkSMPropertyHelper input(representation, "Input");
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  vtkPVArrayInformation* modes = source ? source->GetDataInformation(input.GetOutputPort())
+                                            ->GetArrayInformation("Mode", vtkDataObject::POINT)
+                                        : nullptr;
+  constexpr int mostColours = 256;
+  if (!modes || modes->GetDataType() == VTK_FLOAT || modes->GetDataType() == VTK_DOUBLE ||
+    modes->GetNumberOfComponents() != 1)
+  {
+    return 0;
+  }
+  const double* range = modes->GetComponentRange(0);
+  return range[0] >= 1.0 && range[1] <= mostColours ? static_cast<int>(range[1]) : 0;
+}
+
+// How many modes have a label; -1 where there are other labels
+int NumberOfLabels(vtkSMProxy* map)
+{
+  vtkSMPropertyHelper annotations(map, "Annotations");
+  const int labels = annotations.GetNumberOfElements() / 2;
+  for (int mode = 1; mode <= labels; ++mode)
+  {
+    const std::string label = std::to_string(mode);
+    if (annotations.GetAsString(2 * mode - 2) != label ||
+      annotations.GetAsString(2 * mode - 1) != label)
+    {
+      return -1;
+    }
+  }
+  return labels;
+}
+
+// The colour of a map whose points are at 0 to 1
+std::vector<double> Interpolate(const std::vector<double>& points, double at)
+{
+  std::size_t upper = 4;
+  while (upper + 4 < points.size() && points[upper] < at)
+  {
+    upper += 4;
+  }
+  const double* ends[2] = { &points[upper - 4], &points[upper] };
+  const double weight = (at - ends[0][0]) / (ends[1][0] - ends[0][0]);
+  std::vector<double> colour;
+  for (int channel = 1; channel <= 3; ++channel)
+  {
+    colour.push_back((1.0 - weight) * ends[0][channel] + weight * ends[1][channel]);
+  }
+  return colour;
+}
+
+void SetLabels(vtkSMProxy* map, int modes)
+{
+  vtkSMTransferFunctionProxy::ApplyPreset(map, "Turbo", false);
+  const std::vector<double> points = vtkSMPropertyHelper(map, "RGBPoints").GetDoubleArray();
+  vtkSMPropertyHelper annotations(map, "Annotations");
+  vtkSMPropertyHelper colours(map, "IndexedColors");
+  annotations.SetNumberOfElements(2 * modes);
+  colours.SetNumberOfElements(3 * modes);
+  for (int mode = 1; mode <= modes; ++mode)
+  {
+    const std::string label = std::to_string(mode);
+    annotations.Set(2 * mode - 2, label.c_str());
+    annotations.Set(2 * mode - 1, label.c_str());
+    const double first = points.front();
+    const double last = points[points.size() - 4];
+    const std::vector<double> colour =
+      Interpolate(points, first + (last - first) * (mode - 0.5) / modes);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      colours.Set(3 * (mode - 1) + channel, colour[channel]);
+    }
+  }
+  vtkSMPropertyHelper(map, "IndexedLookup").Set(1);
+  map->UpdateVTKObjects();
+}
+}
+
+void vtkSMRUCSpheresRepresentationProxy::SetPropertyModifiedFlag(const char* name, int flag)
+{
+  this->Superclass::SetPropertyModifiedFlag(name, flag);
+  if (flag && std::strcmp(name, "LookupTable") == 0)
+  {
+    this->SetModeColours();
+  }
+}
+
+void vtkSMRUCSpheresRepresentationProxy::ViewUpdated(vtkSMProxy* view)
+{
+  this->Superclass::ViewUpdated(view);
+  this->SetModeColours();
+}
+
+void vtkSMRUCSpheresRepresentationProxy::SetModeColours()
+{
+  const char* array = vtkSMPropertyHelper(this, "ColorArrayName").GetInputArrayNameToProcess();
+  vtkSMProxy* map = vtkSMPropertyHelper(this, "LookupTable").GetAsProxy();
+  if (!map || !array || std::strcmp(array, "Mode") != 0)
+  {
+    return;
+  }
+  const int modes = NumberOfModes(this);
+  const int labels = NumberOfLabels(map);
+  const bool isNew = labels == 0 && map->GetProperty("RGBPoints")->IsValueDefault() &&
+    map->GetProperty("IndexedLookup")->IsValueDefault();
+  const bool hasMore = labels > 0 && vtkSMPropertyHelper(map, "IndexedLookup").GetAsInt() == 1;
+  if (modes > std::max(labels, 0) && (isNew || hasMore))
+  {
+    SetLabels(map, modes);
+  }
+}

@@ -1,0 +1,123 @@
+# SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The surfaces of Periodic Replicas with Clip To Box are closed, oriented outwards, of the right volume and periodic.
+
+    pvbatch TestSurfaces.py pack.csv cell.stl
+
+One rank also writes the surfaces for meshing and reads them back.
+"""
+import math
+import sys
+
+from paraview import servermanager
+from paraview.simple import *
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+
+pack, stl = sys.argv[1:]
+EDGE, RESOLUTION = 10.0, 24
+# The filter moves points closer to a face than 1e-9 radii onto it. The rounding of coordinates, 2e-15, is less even where an edge meets
+# a face at an angle of 1e-5.
+ROUNDING = 1e-9 * 1.15
+
+reader = SpherePackReader(FileName=pack, BoxSize=[EDGE] * 3, BoxPeriodic=[1, 1, 1])
+replicas = PeriodicReplicas(Input=ParticleModes(Input=reader, Method="One Per Size"), ClipToBox=1, SurfaceResolution=RESOLUTION)
+replicas.UpdatePipeline()
+
+
+def open_edges(data):
+    """The edges that not just two faces share."""
+    edges = vtkFeatureEdges()
+    edges.SetInputData(data)
+    edges.FeatureEdgesOff()
+    edges.ManifoldEdgesOff()
+    edges.BoundaryEdgesOn()
+    edges.NonManifoldEdgesOn()
+    edges.Update()
+    return edges.GetOutput().GetNumberOfCells()
+
+
+surfaces = servermanager.Fetch(replicas, idx=2)
+assert open_edges(surfaces) == 0
+assert surfaces.GetPointData().GetScalars().GetName() == "Mode"
+originals = servermanager.Fetch(replicas.Input)
+arrays = originals.GetPointData()
+radius = [arrays.GetArray("Radius").GetValue(i) for i in range(originals.GetNumberOfPoints())]
+mode = [arrays.GetArray("Mode").GetValue(i) for i in range(originals.GetNumberOfPoints())]
+centre = [originals.GetPoint(i) for i in range(originals.GetNumberOfPoints())]
+
+# By piece, an original's Id and Image: the volume by the divergence theorem, and the corners and the area of each cap
+data = surfaces.GetPointData()
+ids, images, modes = (data.GetArray(name) for name in ("Id", "Image", "Mode"))
+volume, corners, area = {}, {}, {}
+cell = vtkIdList()
+for c in range(surfaces.GetNumberOfCells()):
+    surfaces.GetCellPoints(c, cell)
+    points = [surfaces.GetPoint(cell.GetId(k)) for k in range(cell.GetNumberOfIds())]
+    first = cell.GetId(0)
+    piece = ids.GetValue(first), tuple(map(int, images.GetTuple(first)))
+    assert all((ids.GetValue(cell.GetId(k)), tuple(map(int, images.GetTuple(cell.GetId(k))))) == piece for k in range(len(points)))
+    assert modes.GetValue(first) == mode[piece[0]]
+    middle = [centre[piece[0]][q] + EDGE * piece[1][q] for q in range(3)]
+    for p in points:
+        assert all(-ROUNDING <= p[q] <= EDGE + ROUNDING for q in range(3)), p
+    a = [points[0][q] - middle[q] for q in range(3)]
+    for second, third in zip(points[1:], points[2:]):
+        b, d = ([p[q] - middle[q] for q in range(3)] for p in (second, third))
+        u, v = [b[q] - a[q] for q in range(3)], [d[q] - a[q] for q in range(3)]
+        normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+        volume[piece] = volume.get(piece, 0.0) + sum(x * y for x, y in zip(a, normal)) / 6
+        for q in range(3):
+            for side, face in enumerate((0.0, EDGE)):
+                if all(abs(p[q] - face) <= ROUNDING for p in points):
+                    assert normal[q] * (2 * side - 1) > 0.0, (piece, q, side, normal)  # outwards
+                    key = piece[0], piece[1][:q] + piece[1][q + 1:], q, side
+                    area[key] = area.get(key, 0.0) + abs(normal[q]) / 2
+                    corners.setdefault(key, set()).update(p[:q] + p[q + 1:] for p in points)
+
+# Each sphere's pieces make up the polyhedron in the sphere, which holds a ball: the facets' planes are at least r cos(w) from the
+# centre, w the angle from the middle of a facet to its corners. The pieces add to it to within the rounding of its corners.
+pieces = {}
+for (original, _), part in volume.items():
+    assert part > 0.0
+    pieces.setdefault(original, []).append(part)
+assert sorted(pieces) == list(range(len(radius)))
+w = math.hypot(math.pi / RESOLUTION, math.pi / 2 / (RESOLUTION // 2))
+whole = {}
+for original, parts in pieces.items():
+    r = radius[original]
+    share = sum(parts) / (4 / 3 * math.pi * r**3)
+    assert math.cos(w)**3 <= share <= 1.0, (original, share)
+    whole.setdefault(r, []).append(share)
+    crossed = sum(c - r < 0.0 or c + r > EDGE for c in centre[original])
+    assert (len(parts) > 1) == (crossed > 0), (original, len(parts))
+for r, shares in whole.items():
+    assert max(shares) - min(shares) < 2 * 4 * math.pi * r**2 * ROUNDING / (4 / 3 * math.pi * r**3), (r, min(shares), max(shares))
+assert {len(parts) for parts in pieces.values()} >= {1, 2, 4}  # also edges of the box
+
+# A cap of a sphere that one face alone cuts against the segment's formula: the polygon in the circle
+caps = 0
+for (original, others, q, side), value in area.items():
+    r, c = radius[original], centre[original]
+    if all(r < c[p] < EDGE - r for p in range(3) if p != q):
+        height = min(c[q], EDGE - c[q])
+        share = value / (math.pi * (r**2 - height**2))
+        assert share < 1.0 + 2 * ROUNDING * r / (r**2 - height**2), (original, share)
+        caps += 1
+    # The cap on the opposite face is the same, moved by the edge.
+    twin = original, others, q, 1 - side
+    assert abs(area[twin] - value) <= 2 * math.pi * r * ROUNDING, (original, q)
+    assert len(corners[twin]) == len(corners[original, others, q, side])
+    for point in corners[original, others, q, side]:
+        assert min(math.dist(point, other) for other in corners[twin]) <= 2 * ROUNDING, (original, q, point)
+assert caps > 10 and len(area) > caps
+
+if servermanager.ActiveConnection.GetNumberOfDataPartitions() == 1:
+    SaveData(stl, proxy=servermanager.OutputPort(replicas, 2))
+    again = servermanager.Fetch(STLReader(FileNames=[stl]))
+    assert open_edges(again) == 0
+    triangles = 0
+    for c in range(surfaces.GetNumberOfCells()):
+        triangles += surfaces.GetCellSize(c) - 2
+    assert again.GetNumberOfCells() == triangles, (again.GetNumberOfCells(), triangles)
+print(f"{len(volume)} pieces of {len(radius)} spheres, {len(area)} caps")
