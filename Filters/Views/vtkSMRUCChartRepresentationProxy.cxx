@@ -9,81 +9,115 @@
 #include <vtkPVXMLElement.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMSourceProxy.h>
+#include <vtkSMUncheckedPropertyHelper.h>
 #include <vtkSMViewProxy.h>
 
+#include <cstddef>
 #include <string>
 
 vtkStandardNewMacro(vtkSMRUCChartRepresentationProxy);
 
 namespace
 {
-std::string FindLengthUnit(vtkSMProxy* representation)
+// The output that the representation shows
+struct Output
 {
-  vtkSMPropertyHelper input(representation, "Input");
-  auto source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  vtkPVArrayInformation* unit = source ? source->GetDataInformation(input.GetOutputPort())
-                                           ->GetArrayInformation("LengthUnit", vtkDataObject::FIELD)
-                                       : nullptr;
+  vtkSMSourceProxy* Source;
+  int Port;
+
+  explicit Output(vtkSMProxy* representation)
+  {
+    // Not yet checked values, as the domains of the superclass have it
+    vtkSMUncheckedPropertyHelper input(representation, "Input");
+    this->Source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+    this->Port = static_cast<int>(input.GetOutputPort());
+  }
+};
+
+std::string FindLengthUnit(const Output& output)
+{
+  vtkPVArrayInformation* unit = output.Source->GetDataInformation(output.Port)
+                                  ->GetArrayInformation("LengthUnit", vtkDataObject::FIELD);
   return unit && unit->GetNumberOfStringValues() > 0 ? unit->GetStringValue(0) : "";
 }
 
 // "Lag r (µm)" of "Lag r", "%" and "µm"
-std::string Title(const char* text, const char* pattern, const std::string& unit)
+std::string Title(const char* text, std::string brackets, const std::string& unit)
 {
-  std::string title = text;
-  if (pattern && !unit.empty())
-  {
-    std::string brackets = pattern;
-    brackets.replace(brackets.find('%'), 1, unit);
-    title += " (" + brackets + ")";
-  }
-  return title;
+  const std::size_t place = brackets.find('%');
+  return place == std::string::npos || unit.empty()
+    ? text
+    : text + (" (" + brackets.replace(place, 1, unit) + ")");
 }
+}
+
+vtkPVXMLElement* vtkSMRUCChartRepresentationProxy::FindChartHint()
+{
+  const Output output(this);
+  vtkPVXMLElement* hints = output.Source ? output.Source->GetHints() : nullptr;
+  for (unsigned int n = 0; hints && n < hints->GetNumberOfNestedElements(); ++n)
+  {
+    vtkPVXMLElement* hint = hints->GetNestedElement(n);
+    int port = -1;
+    if (hint->GetAttributeOrEmpty("type") == std::string(this->GetXMLName()) &&
+      hint->GetScalarAttribute("port", &port) && port == output.Port)
+    {
+      return hint;
+    }
+  }
+  return nullptr;
 }
 
 int vtkSMRUCChartRepresentationProxy::LoadXMLState(
   vtkPVXMLElement* element, vtkSMProxyLocator* locator)
 {
-  this->Titled = true;
+  this->Opened = true;
   return this->Superclass::LoadXMLState(element, locator);
 }
 
 void vtkSMRUCChartRepresentationProxy::AddConsumer(vtkSMProperty* property, vtkSMProxy* consumer)
 {
   this->Superclass::AddConsumer(property, consumer);
-  if (!this->Titled && vtkSMViewProxy::SafeDownCast(consumer))
+  if (this->Opened || !vtkSMViewProxy::SafeDownCast(consumer))
   {
-    this->Titled = true;
-    this->TitleAxes(consumer);
+    return;
+  }
+  this->Opened = true;
+  if (vtkPVXMLElement* hint = this->FindChartHint())
+  {
+    if (const char* column = hint->GetAttribute("x"))
+    {
+      vtkSMPropertyHelper(this, "XArrayName").Set(column);
+      this->UpdateVTKObjects();
+    }
+    this->TitleAxes(consumer, hint);
   }
 }
 
-void vtkSMRUCChartRepresentationProxy::TitleAxes(vtkSMProxy* view)
+void vtkSMRUCChartRepresentationProxy::TitleAxes(vtkSMProxy* view, vtkPVXMLElement* hint)
 {
-  vtkPVXMLElement* chart =
-    this->GetHints() ? this->GetHints()->FindNestedElementByName("Chart") : nullptr;
   const std::string axes[3][2] = { { "bottom", "BottomAxisTitle" }, { "left", "LeftAxisTitle" },
     { "right", "RightAxisTitle" } };
   for (const auto& [axis, property] : axes)
   {
-    // Of a kind of view that has no axes, or has titles
-    if (!chart || !view->GetProperty(property.c_str()) ||
+    if (!view->GetProperty(property.c_str()) ||
       *vtkSMPropertyHelper(view, property.c_str()).GetAsString())
     {
       return;
     }
   }
-  const std::string unit = FindLengthUnit(this);
+  const std::string unit = FindLengthUnit(Output(this));
   for (const auto& [axis, property] : axes)
   {
-    if (const char* text = chart->GetAttribute(axis.c_str()))
+    if (const char* text = hint->GetAttribute(axis.c_str()))
     {
-      const std::string title = Title(text, chart->GetAttribute((axis + "_unit").c_str()), unit);
+      const std::string title =
+        Title(text, hint->GetAttributeOrEmpty((axis + "_unit").c_str()), unit);
       vtkSMPropertyHelper(view, property.c_str()).Set(title.c_str());
     }
   }
   int logarithmic = 0;
-  if (chart->GetScalarAttribute("log_left", &logarithmic))
+  if (hint->GetScalarAttribute("log_left", &logarithmic))
   {
     vtkSMPropertyHelper(view, "LeftAxisLogScale").Set(logarithmic);
   }

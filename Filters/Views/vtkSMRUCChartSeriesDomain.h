@@ -6,14 +6,16 @@
 
 #include <vtkSMChartSeriesSelectionDomain.h>
 
+#include <string>
+
 /**
- * The series of a chart, of which a table may have hundreds: which of them are drawn at first, and
- * by which axis.
+ * What a chart does at first with a series, of which a table may have hundreds.
  *
- * Attributes of the element `Chart` in the hints of the representation decide, regular expressions
- * that are searched in the names of the columns: `show`, the series that are visible;
- * `right_series`, those drawn by the axis on the right, not on the left. Series that come up later,
- * because the filter ran again, are treated alike, and what the user has chosen stays.
+ * Attributes of the domain, beside those of its superclass with `default_mode="value"`: `hint`, the
+ * name of an attribute of vtkSMRUCChartRepresentationProxy::FindChartHint(), which is a regular
+ * expression that is searched in the name of the series; `match`, the value of series in which it
+ * is found. The others have `default_value`. Series that come up later, because the filter ran
+ * again, are treated alike, and what the user has chosen stays.
  */
 class RUCVIEWS_EXPORT vtkSMRUCChartSeriesDomain : public vtkSMChartSeriesSelectionDomain
 {
@@ -25,10 +27,13 @@ protected:
   vtkSMRUCChartSeriesDomain() = default;
   ~vtkSMRUCChartSeriesDomain() override = default;
 
-  /** "1" or "0": visibility or, in the mode of a value, the corner of the axes. */
+  int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
   std::vector<std::string> GetDefaultValue(const char* series) override;
 
 private:
+  std::string Hint;
+  std::string Match;
+
   vtkSMRUCChartSeriesDomain(const vtkSMRUCChartSeriesDomain&) = delete;
   void operator=(const vtkSMRUCChartSeriesDomain&) = delete;
 };
