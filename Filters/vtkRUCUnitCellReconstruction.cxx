@@ -189,11 +189,16 @@ void vtkRUCUnitCellReconstruction::SetModeCount(int i, int count)
   this->Modified();
 }
 
-void vtkRUCUnitCellReconstruction::SetOperatorWeights(
-  double w1, double w2, double w3, double w4, double w5, double w6, double w7, double w8)
+void vtkRUCUnitCellReconstruction::ClearOperatorWeights()
 {
-  const double weights[] = { w1, w2, w3, w4, w5, w6, w7, w8 };
-  std::copy_n(weights, 8, this->OperatorWeights);
+  this->OperatorWeights.clear();
+  this->Modified();
+}
+
+void vtkRUCUnitCellReconstruction::SetOperatorWeight(int i, double weight)
+{
+  this->OperatorWeights.resize(std::max(this->OperatorWeights.size(), std::size_t(i) + 1), 0.0);
+  this->OperatorWeights[i] = weight;
   this->Modified();
 }
 
@@ -228,6 +233,11 @@ void vtkRUCUnitCellReconstruction::ValidateProperties() const
   require(this->TargetObjective >= 0.0, "TargetObjective", "a number >= 0", this->TargetObjective);
   require(this->TimeLimit >= 0.0, "TimeLimit", "a number of seconds >= 0", this->TimeLimit);
   require(this->Seed >= 0, "Seed", "a number >= 0", this->Seed);
+  if (this->Method == ANNEALED_POPULATION)
+  {
+    require(this->OperatorWeights.size() == ruc::NumberOfGeneticOperators, "OperatorWeights",
+      "8 numbers", static_cast<double>(this->OperatorWeights.size()));
+  }
   // ruc::CheckSettings knows these by other names, and takes no steps for an annealed population
   if (this->Method == HYBRID)
   {
@@ -311,7 +321,8 @@ CellSearch::Settings vtkRUCUnitCellReconstruction::GetSearchSettings() const
     population.MatingPool = this->MatingPool;
     population.SelectionPressure = this->SelectionPressure;
     population.MutationReach = this->MutationReach;
-    std::copy_n(this->OperatorWeights, 8, population.OperatorWeights.begin());
+    std::copy(this->OperatorWeights.begin(), this->OperatorWeights.end(),
+      population.OperatorWeights.begin());
   }
   population.Seed = static_cast<std::uint32_t>(this->Seed);
   population.TargetObjective = this->TargetObjective;

@@ -279,13 +279,12 @@ public:
   ///@}
   ///@{
   /**
-   * Weights, >= 0, by which one of the operators is drawn: uniform, boundary, non-uniform and
+   * Eight weights, >= 0, by which one of the operators is drawn: uniform, boundary, non-uniform and
    * multi-non-uniform mutation, simple, simple arithmetic, whole arithmetic and heuristic
    * crossover. Default: 1 each.
    */
-  void SetOperatorWeights(
-    double w1, double w2, double w3, double w4, double w5, double w6, double w7, double w8);
-  const double* GetOperatorWeights() const { return this->OperatorWeights; }
+  void ClearOperatorWeights();
+  void SetOperatorWeight(int i, double weight);
   ///@}
 
 protected:
@@ -364,7 +363,7 @@ private:
   int HybridMatingPool = 1;
   double HybridMutationReach = 0.1;
   int RefinementSteps = 100;
-  double OperatorWeights[8] = { 1, 1, 1, 1, 1, 1, 1, 1 };
+  std::vector<double> OperatorWeights = { 1, 1, 1, 1, 1, 1, 1, 1 };
 };
 
 #endif

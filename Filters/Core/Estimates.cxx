@@ -15,14 +15,17 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double Megabyte = 1e6;
 
 // Seconds, measured
-constexpr double PerPair = 9.5e-9;            // found, and added to a histogram
-constexpr double PerPairByLists = 25e-9;      // handed out one by one
-constexpr double PerPairAndLag = 2.5e-9;      // closed form
+constexpr double PerPair = 9.5e-9;       // found, and added to a histogram
+constexpr double PerPairByLists = 25e-9; // handed out one by one
+constexpr double PerPairOfClosedForm = 4.8e-8;
+constexpr double PerPairAndLag = 0.5e-9;
 constexpr double PerClassAndLag = 1.3e-6;     // histogram of a pair of types to S_rs
 constexpr double PerClassAndLagOfCell = 5e-8; // on fewer knots
-constexpr double PerPairAndDirection = 4.9e-9;
+constexpr double PerPairAndDirection = 1.5e-9;
+constexpr double PerPairDirectionAndLag = 3e-11;
 constexpr double PerPairOfMap = 3.3e-7;
 constexpr double PerPairAndVoxel = 2.5e-9;
+constexpr double PerSphereAndBatch = 4e-8;    // projected onto the grid of lines
 constexpr double PerHit = 110e-9;             // of a line by a sphere
 constexpr double PerPairOfChanges = 7e-9;     // of phases on a line
 constexpr double PerBatchEntry = 3.7e-9;      // a pair of phases and a lag of a batch
@@ -34,7 +37,8 @@ constexpr double PerSphere = 1e-6;            // shared, sorted, its overlap
 constexpr double PerMemberSphere = 1e-6;      // at random or deposited
 constexpr double PerChildSphere = 1.4e-5;     // and freed from overlap by springs
 
-constexpr int Batches = 64; // of lines or throws, at least
+constexpr double LeastBatches = 64.0; // of lines or throws
+constexpr double MostLinesInBatch = 4096.0;
 constexpr int FewestBatchesOfFans = 32;
 constexpr double BytesPerSphere = 250.0;
 constexpr double DirectTypes = 256; // more of them take the closed form
@@ -53,6 +57,12 @@ double PairsOfPhases(int modes)
 double CubePairShare(double r)
 {
   return r * r * r * (4.0 / 3.0 * Pi + r * (-1.5 * Pi + r * (1.6 - r / 6.0)));
+}
+
+// Lags at which two spheres at rest overlap, one of them moved
+double LagsOfPair(const PackFigures& pack, const LagGrid& lags)
+{
+  return std::min(4.0 * pack.MeanRadius / lags.Spacing, static_cast<double>(lags.Count));
 }
 
 // Spheres on a line of that length
@@ -98,9 +108,7 @@ Estimate EstimatePairSum(const PackFigures& pack, const LagGrid& lags)
   const double classes = 0.5 * pack.Types * (pack.Types + 1.0);
   if (pack.Types > DirectTypes)
   {
-    const double lagsOfPair =
-      std::min(4.0 * pack.MeanRadius / lags.Spacing, static_cast<double>(lags.Count));
-    return { pairs * (PerPairByLists + lagsOfPair * PerPairAndLag),
+    return { pairs * (PerPairOfClosedForm + LagsOfPair(pack, lags) * PerPairAndLag),
       16.0 * PairsOfPhases(pack.Modes) * lags.Count / Megabyte, 0.0 };
   }
   return { pairs * PerPair + classes * lags.Count * PerClassAndLag,
@@ -110,7 +118,9 @@ Estimate EstimatePairSum(const PackFigures& pack, const LagGrid& lags)
 Estimate EstimatePairSumAlong(const PackFigures& pack, const LagGrid& lags, int directions)
 {
   const double pairs = pack.PairsWithin(lags.Maximum() + 2.0 * pack.LargestRadius);
-  return { pairs * (PerPairByLists + directions * PerPairAndDirection),
+  return { pairs *
+      (PerPairByLists +
+        directions * (PerPairAndDirection + LagsOfPair(pack, lags) * PerPairDirectionAndLag)),
     24.0 * directions * PairsOfPhases(pack.Modes) * lags.Count / Megabyte, 0.0 };
 }
 
@@ -135,9 +145,12 @@ Estimate EstimateChords(const PackFigures& pack, const LagGrid& lags, double lin
   const double length = pack.Periodic ? edge + lags.Maximum() : 2.0 / 3.0 * edge;
   const double hits = HitsOn(length, pack);
   const double ordered = (pack.Modes + 1.0) * (pack.Modes + 1.0);
+  // As many lines in a batch as spheres lie side by side
+  const double ofBatch = std::clamp(1.8 * std::pow(pack.Spheres, 2.0 / 3.0), 1.0, MostLinesInBatch);
+  const double batches = std::max(lines / ofBatch, LeastBatches);
   return { lines *
         (hits * PerHit + PairsOfChanges(hits, length, lags.Maximum()) * PerPairOfChanges) +
-      Batches * ordered * lags.Count * PerBatchEntry,
+      batches * (pack.Spheres * PerSphereAndBatch + ordered * lags.Count * PerBatchEntry),
     100.0 * ordered * lags.Count / Megabyte + 10.0, 0.0 };
 }
 
@@ -145,7 +158,8 @@ Estimate EstimateTemplate(const PackFigures& pack, const LagGrid& lags, double t
 {
   constexpr double Rays = 20.0;
   const double ordered = (pack.Modes + 1.0) * (pack.Modes + 1.0);
-  return { throws * Rays * lags.Count * PerPoint + Batches * ordered * lags.Count * PerBatchEntry,
+  return { throws * Rays * lags.Count * PerPoint +
+      LeastBatches * ordered * lags.Count * PerBatchEntry,
     100.0 * ordered * lags.Count / Megabyte + 10.0, 0.0 };
 }
 

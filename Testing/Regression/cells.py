@@ -223,6 +223,7 @@ def refused_settings():
                        ({'InitialTemperature': 0.0}, ['InitialTemperature requires', 'got 0']),
                        ({'SelectionPressure': 2.5}, ['SelectionPressure requires', 'got 2.5']),
                        ({'OperatorWeights': [0.0] * 8}, ['OperatorWeights requires a sum > 0']),
+                       ({'OperatorWeights': [1.0] * 7}, ['OperatorWeights requires 8 numbers, got 7']),
                        ({'OperatorWeights': [-1.0] + [1.0] * 7}, ['OperatorWeights requires', 'got -1']),
                        ({'ModeCounts': [20, 40]}, ['NumberOfParticles requires 0 when ModeCounts are set, got 60']),
                        ({'NumberOfParticles': 0, 'ModeCounts': [20, 40], 'CellSize': 4.0}, ['CellSize requires 0 when ModeCounts are set']),

@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The pages of the help that the plugin carries: one for each proxy, with formulas and source, in readable letters.
+
+    pvpython TestHelp.py RepresentativeUnitCell.so RepresentativeUnitCell.qch
+
+A help file of Qt is an SQLite database of compressed pages.
+"""
+import base64
+import sqlite3
+import sys
+import zlib
+
+PLUGIN, FILE = sys.argv[1:3]
+# Of each proxy a formula that only its page has, as a user reads it
+FORMULAS = {
+    'filters.OnePointProbability': 'c_r = (1 / V) Σ (4 π / 3) a_i³',
+    'filters.TwoPointProbability': 'S_rs(r) = (δ_rs / V) Σ V_ii(r) + Σ g(r, d_ij) / γ(d_ij)',
+    'filters.ThreePointProbability': 'ζ = 9 / (2 c (1 − c)) I_2 and η = 5 ζ / 21 + 150 / (7 c (1 − c)) I_4',
+    'filters.UnitCellReconstruction': 'h_c³ = (4 π / 3) Σ n_i² r_i⁶ / Σ c_i n_i r_i³ (equation 12)',
+    'filters.CompareProbabilities': 'E = Σ ‖S_rs pack − S_rs cell‖ / Σ (‖S_rs pack‖ + ‖S_rs cell‖) / 2 × 100 % (17)',
+    'filters.ParticleModes': '(Σ d³ / N)^(1/3)',
+    'filters.PeriodicReplicas': 'x + (i L_x, j L_y, k L_z)',
+    'sources.SpherePackReader': 'position = Scale × (x, y, z)',
+}
+PROPERTIES = {'filters.TwoPointProbability': ['Method', 'Number Of Lines', 'Seed', 'Box Size', 'Estimated Time'],
+              'filters.UnitCellReconstruction': ['Method', 'Cell Size', 'Checkpoint Interval', 'Cylinder Axis'],
+              'sources.SpherePackReader': ['Length Unit', 'Box Periodic']}
+
+# The plugin holds the help file in base64, in pieces
+with open(PLUGIN, 'rb') as file:
+    library = file.read()
+with open(FILE, 'rb') as file:
+    encoded = base64.b64encode(file.read())
+assert encoded[:200] in library and encoded[-200:] in library, 'no help in the plugin'
+database = sqlite3.connect(FILE)
+pages = {}
+for name, data in database.execute('select Name, Data from FileNameTable join FileDataTable on FileId = Id where Data is not null'):
+    pages[name] = zlib.decompress(data[4:]).decode('utf-8')  # after the length, as qCompress writes it
+print(len(pages), 'pages')
+
+failures = []
+for proxy, formula in FORMULAS.items():
+    page = pages.get(proxy + '.html')
+    if page is None:
+        failures.append(proxy + ' has no page')
+        continue
+    text = ' '.join(page.split())
+    if 'charset="utf-8"' not in page[:200]:
+        failures.append(proxy + ' does not say its letters; Qt takes them for Latin-1')
+    for part in [formula, 'Phys. Rev. E 80, 061301 (2009)'] + ['<th>%s</th>' % label for label in PROPERTIES.get(proxy, [])]:
+        if part not in text:
+            failures.append('%s does not have: %s' % (proxy, part))
+    if sum(formula in ' '.join(other.split()) for other in pages.values()) != 1:
+        failures.append('%s: the formula is on other pages too' % proxy)
+print('\n'.join(failures))
+sys.exit(1 if failures else 0)
