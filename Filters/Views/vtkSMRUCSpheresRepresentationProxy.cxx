@@ -6,6 +6,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPVArrayInformation.h>
 #include <vtkPVDataInformation.h>
+#include <vtkSMPVRepresentationProxy.h>
 #include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMSourceProxy.h>
@@ -20,14 +21,18 @@ vtkStandardNewMacro(vtkSMRUCSpheresRepresentationProxy);
 
 namespace
 {
-// The largest mode of the data shown; 0 where they have no modes
-int NumberOfModes(vtkSMProxy* representation)
+vtkPVDataInformation* DataShown(vtkSMProxy* representation)
 {
   vtkSMPropertyHelper input(representation, "Input");
   auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  vtkPVArrayInformation* modes = source ? source->GetDataInformation(input.GetOutputPort())
-                                            ->GetArrayInformation("Mode", vtkDataObject::POINT)
-                                        : nullptr;
+  return source ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
+}
+
+// The largest mode of the data; 0 where they have no modes
+int NumberOfModes(vtkPVDataInformation* data)
+{
+  vtkPVArrayInformation* modes =
+    data ? data->GetArrayInformation("Mode", vtkDataObject::POINT) : nullptr;
   constexpr int mostColours = 256;
   if (!modes || modes->GetDataType() == VTK_FLOAT || modes->GetDataType() == VTK_DOUBLE ||
     modes->GetNumberOfComponents() != 1)
@@ -112,6 +117,15 @@ void vtkSMRUCSpheresRepresentationProxy::SetPropertyModifiedFlag(const char* nam
 void vtkSMRUCSpheresRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);
+  vtkPVDataInformation* data = DataShown(this);
+  const bool isEmpty = data && data->GetNumberOfPoints() == 0;
+  vtkSMProxy* whole = this->GetTrueParentProxy();
+  if (this->WasEmpty && !isEmpty && NumberOfModes(data) > 0 &&
+    !vtkSMPVRepresentationProxy::GetUsingScalarColoring(whole))
+  {
+    vtkSMPVRepresentationProxy::SetScalarColoring(whole, "Mode", vtkDataObject::POINT);
+  }
+  this->WasEmpty = isEmpty;
   this->SetModeColours();
 }
 
@@ -123,7 +137,7 @@ void vtkSMRUCSpheresRepresentationProxy::SetModeColours()
   {
     return;
   }
-  const int modes = NumberOfModes(this);
+  const int modes = NumberOfModes(DataShown(this));
   const int labels = NumberOfLabels(map);
   const bool isNew = labels == 0 && map->GetProperty("RGBPoints")->IsValueDefault() &&
     map->GetProperty("IndexedLookup")->IsValueDefault();

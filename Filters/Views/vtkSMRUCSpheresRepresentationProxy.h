@@ -11,8 +11,10 @@
  * which is that of the sizes, with the modes' numbers as labels.
  *
  * It does so where ParaView has just made the map, and takes in modes that come later; a map that
- * somebody has changed stays as it is. The proxy is part of every geometry representation, so that
- * surfaces with that array have these colours too.
+ * somebody has changed stays as it is. ParaView colours new data by their active array but not
+ * those that were empty when first shown, such as the surfaces of Periodic Replicas before Clip To
+ * Box; this proxy colours them by mode when they come. It is part of every geometry representation,
+ * so that surfaces with that array have these colours too.
  */
 class RUCVIEWS_EXPORT vtkSMRUCSpheresRepresentationProxy : public vtkSMRepresentationProxy
 {
@@ -33,4 +35,6 @@ private:
   void operator=(const vtkSMRUCSpheresRepresentationProxy&) = delete;
 
   void SetModeColours();
+
+  bool WasEmpty = false;
 };
