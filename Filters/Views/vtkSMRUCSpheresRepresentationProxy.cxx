@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMRUCSpheresRepresentationProxy.h"
 
+#include <vtkClientServerStream.h>
 #include <vtkDataObject.h>
 #include <vtkObjectFactory.h>
 #include <vtkPVArrayInformation.h>
@@ -11,6 +12,7 @@
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMSourceProxy.h>
 #include <vtkSMTransferFunctionProxy.h>
+#include <vtkSMViewProxy.h>
 
 #include <algorithm>
 #include <cstring>
@@ -117,6 +119,13 @@ void vtkSMRUCSpheresRepresentationProxy::SetPropertyModifiedFlag(const char* nam
 void vtkSMRUCSpheresRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);
+  this->ColourLateData();
+  this->SetModeColours();
+  this->HideWholeSpheres(view);
+}
+
+void vtkSMRUCSpheresRepresentationProxy::ColourLateData()
+{
   vtkPVDataInformation* data = DataShown(this);
   const bool isEmpty = data && data->GetNumberOfPoints() == 0;
   vtkSMProxy* whole = this->GetTrueParentProxy();
@@ -126,7 +135,31 @@ void vtkSMRUCSpheresRepresentationProxy::ViewUpdated(vtkSMProxy* view)
     vtkSMPVRepresentationProxy::SetScalarColoring(whole, "Mode", vtkDataObject::POINT);
   }
   this->WasEmpty = isEmpty;
-  this->SetModeColours();
+}
+
+void vtkSMRUCSpheresRepresentationProxy::HideWholeSpheres(vtkSMProxy* view)
+{
+  constexpr int spheresPort = 0;
+  constexpr int surfacesPort = 2;
+  vtkSMPropertyHelper input(this, "Input");
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  bool cutShown = false;
+  if (source && std::strcmp(source->GetXMLName(), "PeriodicReplicas") == 0 &&
+    input.GetOutputPort() == spheresPort)
+  {
+    vtkSMProxy* surfaces =
+      vtkSMViewProxy::SafeDownCast(view)->FindRepresentation(source, surfacesPort);
+    cutShown = surfaces && vtkSMPropertyHelper(surfaces, "Visibility").GetAsInt() &&
+      source->GetDataInformation(surfacesPort)->GetNumberOfPoints() > 0;
+  }
+  if (cutShown != this->CutShown)
+  {
+    this->CutShown = cutShown;
+    vtkClientServerStream stream;
+    stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "SetCutShown"
+           << static_cast<int>(cutShown) << vtkClientServerStream::End;
+    this->ExecuteStream(stream);
+  }
 }
 
 void vtkSMRUCSpheresRepresentationProxy::SetModeColours()

@@ -39,7 +39,11 @@ spheres.ShowCutSpheres = 0
 spheres.Visibility = 0
 cut = picture("cut")
 surfaces.Visibility = 0
-assert opened == cut != whole
-assert cut != picture("outline")
+outline = picture("outline")
+spheres.Visibility = 1
+without = picture("without")
+assert opened == cut
+assert without == whole  # which hold the surfaces
+assert len({cut, whole, outline}) == 3
 Delete(view)  # left to the end of Python the window outlives its GL context: GLXBadContext
 del view, spheres, surfaces
