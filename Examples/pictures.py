@@ -4,7 +4,7 @@
 
     xvfb-run -a -s "-screen 0 1400x1000x24 -noreset" pvbatch pictures.py --input results --output Pictures
 
-One rank: the representation Spheres loses spheres where two or more draw (a defect of ParaView 5.11 as Debian 12 has it).
+One rank or more.
 """
 import argparse
 import csv

@@ -333,7 +333,6 @@ void vtkRUCPeriodicReplicas::Execute(
   if (this->ClipToBox)
   {
     FillSurfaces(ShareOf(filled, ranks), block, this->SurfaceResolution, surfaces);
-    PackData::AddField(output, "DrawnAsSurfaces", std::vector<long long>{ 1 });
   }
   for (vtkPolyData* data : { output, outline, surfaces })
   {

@@ -167,15 +167,6 @@ void vtkRUCSpheresRepresentation::SetShowWindow(bool show)
   }
 }
 
-void vtkRUCSpheresRepresentation::SetShowCutSpheres(bool show)
-{
-  if (this->ShowCutSpheres != show)
-  {
-    this->ShowCutSpheres = show;
-    this->MarkModified();
-  }
-}
-
 void vtkRUCSpheresRepresentation::SetOpacity(double opacity)
 {
   const bool wasTranslucent = this->IsTranslucent();
@@ -229,19 +220,12 @@ int vtkRUCSpheresRepresentation::RequestData(
   this->Window->SetLines(lines);
   if (vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0))
   {
-    bool cut = false;
     for (vtkDataObject* data : DataSets(input))
     {
       if (this->ShowWindow)
       {
         AddWindow(data, this->Window);
       }
-      const std::vector<double> surfaces = Field(data, "DrawnAsSurfaces", 1);
-      cut = cut || (!surfaces.empty() && surfaces[0] != 0.0);
-    }
-    if (cut && !this->ShowCutSpheres)
-    {
-      this->ProcessedData = vtkSmartPointer<vtkMultiBlockDataSet>::New();
     }
   }
   return result;
@@ -282,6 +266,7 @@ int vtkRUCSpheresRepresentation::ProcessViewRequest(
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
+    this->Actor->SetVisibility(this->GetVisibility() && (this->ShowCutSpheres || !this->CutShown));
     vtkDataObject* window = vtkPVView::GetDeliveredPiece(inInfo, this, WindowPort);
     auto* ranks = vtkMultiProcessController::GetGlobalController();
     if (this->IsTranslucent() && ranks && ranks->GetLocalProcessId() > 0)

@@ -34,10 +34,14 @@ public:
   vtkGetMacro(ShowWindow, bool);
   ///@}
   ///@{
-  /** Draw the spheres of data whose field data have `DrawnAsSurfaces` other than 0 as well: those
-   * of Periodic Replicas with Clip To Box, which its third output shows cut. Default: off. */
-  void SetShowCutSpheres(bool show);
+  /** Draw the spheres even where the view shows surfaces that stand for them. Default: off. */
+  vtkSetMacro(ShowCutSpheres, bool);
   vtkGetMacro(ShowCutSpheres, bool);
+  ///@}
+  ///@{
+  /** Whether the view shows such surfaces; its client says so. Default: off. */
+  vtkSetMacro(CutShown, bool);
+  vtkGetMacro(CutShown, bool);
   ///@}
 
   int ProcessViewRequest(
@@ -62,6 +66,7 @@ private:
 
   bool ShowWindow = true;
   bool ShowCutSpheres = false;
+  bool CutShown = false;
   vtkNew<vtkRUCSphereMapper> Spheres;
   vtkNew<vtkPolyData> Window;
   vtkNew<vtkActor> WindowActor;

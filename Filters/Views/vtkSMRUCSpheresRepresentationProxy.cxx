@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMRUCSpheresRepresentationProxy.h"
 
+#include <vtkClientServerStream.h>
 #include <vtkDataObject.h>
 #include <vtkObjectFactory.h>
 #include <vtkPVArrayInformation.h>
 #include <vtkPVDataInformation.h>
+#include <vtkSMPVRepresentationProxy.h>
 #include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMSourceProxy.h>
 #include <vtkSMTransferFunctionProxy.h>
+#include <vtkSMViewProxy.h>
 
 #include <algorithm>
 #include <cstring>
@@ -20,14 +23,18 @@ vtkStandardNewMacro(vtkSMRUCSpheresRepresentationProxy);
 
 namespace
 {
-// The largest mode of the data shown; 0 where they have no modes
-int NumberOfModes(vtkSMProxy* representation)
+vtkPVDataInformation* DataShown(vtkSMProxy* representation)
 {
   vtkSMPropertyHelper input(representation, "Input");
   auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  vtkPVArrayInformation* modes = source ? source->GetDataInformation(input.GetOutputPort())
-                                            ->GetArrayInformation("Mode", vtkDataObject::POINT)
-                                        : nullptr;
+  return source ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
+}
+
+// The largest mode of the data; 0 where they have no modes
+int NumberOfModes(vtkPVDataInformation* data)
+{
+  vtkPVArrayInformation* modes =
+    data ? data->GetArrayInformation("Mode", vtkDataObject::POINT) : nullptr;
   constexpr int mostColours = 256;
   if (!modes || modes->GetDataType() == VTK_FLOAT || modes->GetDataType() == VTK_DOUBLE ||
     modes->GetNumberOfComponents() != 1)
@@ -112,7 +119,47 @@ void vtkSMRUCSpheresRepresentationProxy::SetPropertyModifiedFlag(const char* nam
 void vtkSMRUCSpheresRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);
+  this->ColourLateData();
   this->SetModeColours();
+  this->HideWholeSpheres(view);
+}
+
+void vtkSMRUCSpheresRepresentationProxy::ColourLateData()
+{
+  vtkPVDataInformation* data = DataShown(this);
+  const bool isEmpty = data && data->GetNumberOfPoints() == 0;
+  vtkSMProxy* whole = this->GetTrueParentProxy();
+  if (this->WasEmpty && !isEmpty && NumberOfModes(data) > 0 &&
+    !vtkSMPVRepresentationProxy::GetUsingScalarColoring(whole))
+  {
+    vtkSMPVRepresentationProxy::SetScalarColoring(whole, "Mode", vtkDataObject::POINT);
+  }
+  this->WasEmpty = isEmpty;
+}
+
+void vtkSMRUCSpheresRepresentationProxy::HideWholeSpheres(vtkSMProxy* view)
+{
+  constexpr int spheresPort = 0;
+  constexpr int surfacesPort = 2;
+  vtkSMPropertyHelper input(this, "Input");
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  bool cutShown = false;
+  if (source && std::strcmp(source->GetXMLName(), "PeriodicReplicas") == 0 &&
+    input.GetOutputPort() == spheresPort)
+  {
+    vtkSMProxy* surfaces =
+      vtkSMViewProxy::SafeDownCast(view)->FindRepresentation(source, surfacesPort);
+    cutShown = surfaces && vtkSMPropertyHelper(surfaces, "Visibility").GetAsInt() &&
+      source->GetDataInformation(surfacesPort)->GetNumberOfPoints() > 0;
+  }
+  if (cutShown != this->CutShown)
+  {
+    this->CutShown = cutShown;
+    vtkClientServerStream stream;
+    stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "SetCutShown"
+           << static_cast<int>(cutShown) << vtkClientServerStream::End;
+    this->ExecuteStream(stream);
+  }
 }
 
 void vtkSMRUCSpheresRepresentationProxy::SetModeColours()
@@ -123,7 +170,7 @@ void vtkSMRUCSpheresRepresentationProxy::SetModeColours()
   {
     return;
   }
-  const int modes = NumberOfModes(this);
+  const int modes = NumberOfModes(DataShown(this));
   const int labels = NumberOfLabels(map);
   const bool isNew = labels == 0 && map->GetProperty("RGBPoints")->IsValueDefault() &&
     map->GetProperty("IndexedLookup")->IsValueDefault();

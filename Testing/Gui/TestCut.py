@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Opens the state that cut.xml has saved: ticking Clip To Box shows the cut surfaces, by mode, and no whole spheres over them.
+
+    pvpython TestCut.py state.pvsm folder
+"""
+import os
+import sys
+
+from paraview.simple import *
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+state, folder = sys.argv[1:]
+LoadState(state)
+replicas = FindSource("PeriodicReplicas1")
+view = FindViewOrCreate("RenderView1", "RenderView")
+view.ViewSize = [400, 300]
+spheres, surfaces = (GetRepresentation(OutputPort(replicas, port), view) for port in (0, 2))
+assert replicas.ClipToBox == 1 and spheres.Visibility == surfaces.Visibility == 1
+assert spheres.Representation == "Spheres" and surfaces.Representation == "Surface"
+assert list(surfaces.ColorArrayName) == ["POINTS", "Mode"], surfaces.ColorArrayName
+table = GetColorTransferFunction("Mode")
+assert table.InterpretValuesAsCategories == 1 and list(table.Annotations) == ["1", "1", "2", "2", "3", "3"]
+
+
+def picture(what):
+    path = os.path.join(folder, f"cut_{what}.png")
+    SaveScreenshot(path, view, ImageResolution=view.ViewSize)
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return bytes(memoryview(reader.GetOutput().GetPointData().GetScalars()))
+
+
+opened = picture("opened")
+spheres.ShowCutSpheres = 1
+whole = picture("whole")
+spheres.ShowCutSpheres = 0
+spheres.Visibility = 0
+cut = picture("cut")
+surfaces.Visibility = 0
+outline = picture("outline")
+spheres.Visibility = 1
+without = picture("without")
+assert opened == cut
+assert without == whole  # which hold the surfaces
+assert len({cut, whole, outline}) == 3
+Delete(view)  # left to the end of Python the window outlives its GL context: GLXBadContext
+del view, spheres, surfaces
