@@ -4,7 +4,7 @@
 
     xvfb-run -a -s "-screen 0 1400x1000x24 -noreset" pvbatch pictures.py --input results --output Pictures
 
-One rank or more.
+One rank: the charts are of tables that this process alone has.
 """
 import argparse
 import csv

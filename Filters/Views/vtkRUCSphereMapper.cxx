@@ -12,6 +12,8 @@
 #include <vtkShaderProperty.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
+
 vtkStandardNewMacro(vtkRUCSphereMapper);
 
 void vtkRUCSphereMapper::PrepareShaders(vtkShaderProperty* shaders)

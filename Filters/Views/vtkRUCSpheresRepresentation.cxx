@@ -25,6 +25,7 @@
 #include <vtkRenderer.h>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 vtkStandardNewMacro(vtkRUCSpheresRepresentation);

@@ -143,8 +143,7 @@ ResetCamera(view)
 view.CameraParallelProjection = 1
 ResetCamera(view)
 pixels = picture("reset")
-border = [pixels[row][column] for row in range(height) for column in range(width) if row in (0, height - 1) or column in (0, width - 1)]
-assert set(border) == {(0, 0, 0)}
+assert {*pixels[0], *pixels[-1], *(row[0] for row in pixels), *(row[-1] for row in pixels)} == {(0, 0, 0)}
 
 # The window: along its edges the picture has its colour, white or black against the background; none where there is none.
 

@@ -16,8 +16,8 @@ from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 
 pack, stl = sys.argv[1:]
 EDGE, RESOLUTION = 10.0, 24
-# The filter moves points closer to a face than 1e-9 radii onto it. The rounding of coordinates, 2e-15, is less even where an edge meets
-# a face at an angle of 1e-5.
+# The filter moves points closer to a face than 1e-9 radii onto it. The rounding of coordinates, 2e-15, is less even where an edge
+# meets a face at an angle of 1e-5.
 ROUNDING = 1e-9 * 1.15
 
 reader = SpherePackReader(FileName=pack, BoxSize=[EDGE] * 3, BoxPeriodic=[1, 1, 1])
