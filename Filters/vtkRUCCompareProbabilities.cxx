@@ -176,6 +176,11 @@ void vtkRUCCompareProbabilities::Execute(
         pack ? "an image" : "a table", ", got ", pack ? "a table." : "an image."));
     }
   }
+  const std::string unit = PackData::FindLengthUnit(vtkDataObject::GetData(inputs[0]), ranks);
+  for (int port : { COMPARISON, CURVES, DIFFERENCES })
+  {
+    PackData::AddField(vtkDataObject::GetData(outputs, port), "LengthUnit", unit);
+  }
   if (!pack)
   {
     this->CompareTables(inputs, outputs, ranks);

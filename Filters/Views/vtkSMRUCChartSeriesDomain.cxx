@@ -12,21 +12,48 @@
 
 vtkStandardNewMacro(vtkSMRUCChartSeriesDomain);
 
+namespace
+{
+// Of Okabe and Ito, also for those who do not see red and green apart
+const std::vector<std::vector<std::string>> Colors = { { "0", "0.45", "0.7" },
+  { "0.84", "0.37", "0" }, { "0", "0.62", "0.45" }, { "0.8", "0.47", "0.65" },
+  { "0.9", "0.62", "0" }, { "0.34", "0.71", "0.91" }, { "0", "0", "0" } };
+}
+
 int vtkSMRUCChartSeriesDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element)
 {
-  this->Hint = element->GetAttributeOrEmpty("hint");
-  this->Match = element->GetAttributeOrEmpty("match");
+  for (unsigned int n = 0; n < element->GetNumberOfNestedElements(); ++n)
+  {
+    vtkPVXMLElement* match = element->GetNestedElement(n);
+    if (match->GetName() == std::string("Match"))
+    {
+      this->Values.emplace_back(
+        match->GetAttributeOrEmpty("hint"), match->GetAttributeOrEmpty("value"));
+    }
+  }
   return this->Superclass::ReadXMLAttributes(property, element);
 }
 
 std::vector<std::string> vtkSMRUCChartSeriesDomain::GetDefaultValue(const char* series)
 {
-  auto chart = vtkSMRUCChartRepresentationProxy::SafeDownCast(this->GetProperty()->GetParent());
-  vtkPVXMLElement* hint = chart ? chart->FindChartHint() : nullptr;
-  const char* pattern = hint ? hint->GetAttribute(this->Hint.c_str()) : nullptr;
-  if (pattern && std::regex_search(series, std::regex(pattern)))
+  if (this->DefaultMode == COLOR && this->Matches("show", series))
   {
-    return { this->Match };
+    return Colors[this->ColorsTaken++ % Colors.size()];
+  }
+  for (const auto& [hint, value] : this->Values)
+  {
+    if (this->Matches(hint, series))
+    {
+      return { value };
+    }
   }
   return this->Superclass::GetDefaultValue(series);
+}
+
+bool vtkSMRUCChartSeriesDomain::Matches(const std::string& hint, const char* series)
+{
+  auto chart = vtkSMRUCChartRepresentationProxy::SafeDownCast(this->GetProperty()->GetParent());
+  vtkPVXMLElement* element = chart ? chart->FindChartHint() : nullptr;
+  const char* pattern = element ? element->GetAttribute(hint.c_str()) : nullptr;
+  return pattern && std::regex_search(series, std::regex(pattern));
 }

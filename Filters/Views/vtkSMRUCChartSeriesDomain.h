@@ -7,15 +7,19 @@
 #include <vtkSMChartSeriesSelectionDomain.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 /**
  * What a chart does at first with a series, of which a table may have hundreds.
  *
- * Attributes of the domain, beside those of its superclass with `default_mode="value"`: `hint`, the
- * name of an attribute of vtkSMRUCChartRepresentationProxy::FindChartHint(), which is a regular
- * expression that is searched in the name of the series; `match`, the value of series in which it
- * is found. The others have `default_value`. Series that come up later, because the filter ran
- * again, are treated alike, and what the user has chosen stays.
+ * In a domain with `default_mode="value"`, elements `Match` say so: `hint` is the name of an
+ * attribute of vtkSMRUCChartRepresentationProxy::FindChartHint(), a regular expression that is
+ * searched in the name of the series, and `value` the value where it is found. The first `Match`
+ * that is found counts; the other series have `default_value`. With `default_mode="color"` the
+ * series that match the hint `show` have colours that can be told apart, and the others those of
+ * the superclass. Series that come up later, because the filter ran again, are treated alike, and
+ * what the user has chosen stays.
  */
 class RUCVIEWS_EXPORT vtkSMRUCChartSeriesDomain : public vtkSMChartSeriesSelectionDomain
 {
@@ -31,8 +35,11 @@ protected:
   std::vector<std::string> GetDefaultValue(const char* series) override;
 
 private:
-  std::string Hint;
-  std::string Match;
+  bool Matches(const std::string& hint, const char* series);
+
+  // Names of hints, and values of what matches them
+  std::vector<std::pair<std::string, std::string>> Values;
+  int ColorsTaken = 0;
 
   vtkSMRUCChartSeriesDomain(const vtkSMRUCChartSeriesDomain&) = delete;
   void operator=(const vtkSMRUCChartSeriesDomain&) = delete;
