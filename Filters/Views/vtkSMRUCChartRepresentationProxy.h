@@ -15,9 +15,8 @@
  * `x` is the column for the axis at the bottom, r where it is left out. `show`, `right_series`,
  * `points` and `dashed` are regular expressions: the columns that are drawn, by the axis on the
  * right instead of the left, as points instead of a line, and as dashed lines
- * (vtkSMRUCChartSeriesDomain). `bottom`, `left` and `right` are titles of the axes; where the table
- * has a `LengthUnit` among its field data, the unit follows in brackets, in which % stands for it:
- * "Lag r (µm)". `log_left="1"` makes the axis on the left logarithmic.
+ * (vtkSMRUCChartSeriesDomain). `bottom`, `left` and `right` are titles of the axes
+ * (OutputHint::Title). `log_left="1"` makes the axis on the left logarithmic.
  *
  * Titles and scale belong to the view. It gets them when it first shows the table, and only where
  * none of its axes has a title yet, so that what a user writes or a state file holds stays.
@@ -27,9 +26,6 @@ class RUCVIEWS_EXPORT vtkSMRUCChartRepresentationProxy : public vtkSMChartRepres
 public:
   static vtkSMRUCChartRepresentationProxy* New();
   vtkTypeMacro(vtkSMRUCChartRepresentationProxy, vtkSMChartRepresentationProxy);
-
-  /** That element for the input of the representation; null where there is none. */
-  vtkPVXMLElement* FindChartHint();
 
   int LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator) override;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMRUCChartSeriesDomain.h"
 
-#include "vtkSMRUCChartRepresentationProxy.h"
+#include "OutputHint.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkPVXMLElement.h>
@@ -52,8 +52,7 @@ std::vector<std::string> vtkSMRUCChartSeriesDomain::GetDefaultValue(const char* 
 
 bool vtkSMRUCChartSeriesDomain::Matches(const std::string& hint, const char* series)
 {
-  auto chart = vtkSMRUCChartRepresentationProxy::SafeDownCast(this->GetProperty()->GetParent());
-  vtkPVXMLElement* element = chart ? chart->FindChartHint() : nullptr;
+  vtkPVXMLElement* element = OutputHint::Find(this->GetProperty()->GetParent());
   const char* pattern = element ? element->GetAttribute(hint.c_str()) : nullptr;
   return pattern && std::regex_search(series, std::regex(pattern));
 }

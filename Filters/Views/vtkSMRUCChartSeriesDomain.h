@@ -14,7 +14,7 @@
  * What a chart does at first with a series, of which a table may have hundreds.
  *
  * In a domain with `default_mode="value"`, elements `Match` say so: `hint` is the name of an
- * attribute of vtkSMRUCChartRepresentationProxy::FindChartHint(), a regular expression that is
+ * attribute of OutputHint::Find(), a regular expression that is
  * searched in the name of the series, and `value` the value where it is found. The first `Match`
  * that is found counts; the other series have `default_value`. With `default_mode="color"` the
  * series that match the hint `show` have colours that can be told apart, and the others those of
