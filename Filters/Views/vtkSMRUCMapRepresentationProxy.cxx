@@ -8,6 +8,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPVDataInformation.h>
 #include <vtkPVXMLElement.h>
+#include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMRenderViewProxy.h>
 #include <vtkSMSourceProxy.h>
@@ -60,6 +61,10 @@ void vtkSMRUCMapRepresentationProxy::Open(vtkSMProxy* view, vtkPVXMLElement* hin
     grid->UpdateVTKObjects();
   }
 
+  if (!this->IsCameraFree(view))
+  {
+    return;
+  }
   double center[3];
   bounds.GetCenter(center);
   const double edge = bounds.GetMaxLength();
@@ -71,4 +76,18 @@ void vtkSMRUCMapRepresentationProxy::Open(vtkSMProxy* view, vtkPVXMLElement* hin
   // In perspective the axes lie behind the slice
   vtkSMPropertyHelper(view, "CameraParallelProjection").Set(1);
   vtkSMPropertyHelper(view, "CameraParallelScale").Set(0.65 * edge);
+}
+
+bool vtkSMRUCMapRepresentationProxy::IsCameraFree(vtkSMProxy* view)
+{
+  vtkSMPropertyHelper others(view, "Representations");
+  for (unsigned int n = 0; n < others.GetNumberOfElements(); ++n)
+  {
+    vtkSMProxy* other = others.GetAsProxy(n);
+    if (other != this && vtkSMPropertyHelper(other, "Visibility", true).GetAsInt())
+    {
+      return true;
+    }
+  }
+  return view->GetProperty("CameraPosition")->IsValueDefault();
 }

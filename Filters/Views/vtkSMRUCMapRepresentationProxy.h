@@ -9,11 +9,12 @@
 /**
  * An image over lags, S_rs(x) or S_rsq(r1, r2, theta), that opens with titled axes and in sight.
  *
- * When a view first shows the image, the camera looks straight down on it in parallel projection,
- * since lags are another space than that of the pack that the view showed before; the axes of the
- * data have the titles `x`, `y` and `z` of OutputHint::Title; and the slice is the one in the
- * middle: z = 0 of S_rs(x) and a right angle of S_rsq. What a user changes, or a state file holds,
- * stays.
+ * When a view first shows the image, the axes of the data have the titles `x`, `y` and `z` of
+ * OutputHint::Title, and the slice is the one in the middle: z = 0 of S_rs(x) and a right angle of
+ * S_rsq. In a new view, and in one in which something else is seen, such as the pack, the camera
+ * looks straight down on the image in parallel projection, since lags are another space. A view
+ * with nothing but a camera of its own, as scripts and Python states make it, keeps that. What a
+ * user changes, or a state file holds, stays.
  */
 class RUCVIEWS_EXPORT vtkSMRUCMapRepresentationProxy : public vtkSMPVRepresentationProxy
 {
@@ -32,6 +33,7 @@ protected:
 
 private:
   void Open(vtkSMProxy* view, vtkPVXMLElement* hint);
+  bool IsCameraFree(vtkSMProxy* view);
 
   bool Opened = false;
 

@@ -1,0 +1,88 @@
+# SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Each filter runs once, whatever of it is shown afterwards and however.
+
+    mpiexec -n ranks pvbatch TestExecutions.py pack.csv
+"""
+import sys
+
+import paraview.simple as pv
+from paraview.servermanager import OutputPort
+
+reader = pv.SpherePackReader(FileName=sys.argv[1], BoxSize=[10, 10, 10], BoxPeriodic=[1, 1, 1], LengthUnit="µm")
+modes = pv.ParticleModes(Input=reader, Method="One Per Size")
+one_point = pv.OnePointProbability(Input=modes)
+two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=20, NumberOfDirections=2, ChordLengths=1, NumberOfLines=50, RadialDistribution=1,
+                                   Autocovariance=1, ImagePairs="m m", ImageResolution=3)
+cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags=20, MaximumIterations=5)
+three_point = pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5, NumberOfLags=8, NumberOfThrows=100)
+of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=20)
+comparison = pv.CompareProbabilities(Input=two_point, Cell=of_cell)
+replicas = pv.PeriodicReplicas(Input=cell)
+filters = [reader, modes, one_point, two_point, cell, three_point, of_cell, comparison, replicas]
+
+runs = {}
+for source in filters:
+    algorithm = source.GetClientSideObject()  # of rank 0; an execution is collective
+    runs[source] = 0
+
+    def count(*_, source=source):
+        runs[source] += 1
+
+    algorithm.AddObserver("StartEvent", count)
+
+failures = []
+
+
+def check(after):
+    for source, number in runs.items():
+        if number != 1:
+            failures.append(f"{source.SMProxy.GetXMLName()} ran {number} times after {after}")
+            runs[source] = 1
+
+
+render = pv.CreateView("RenderView", ViewSize=[300, 200])
+displays = [pv.Show(source, render) for source in (reader, modes, cell, replicas)]
+pv.Render(render)
+for source in (one_point, two_point, three_point, of_cell, comparison):
+    source.UpdatePipeline()
+check("the first outputs")
+
+chart = pv.CreateView("XYChartView", ViewSize=[300, 200])
+for source in filters:
+    for port in range(source.SMProxy.GetNumberOfOutputPorts()):
+        data = source.GetDataInformation(port)
+        if data.GetDataSetTypeAsString() == "vtkTable":
+            if data.GetNumberOfRows() == 1:
+                continue  # of which ParaView cannot draw a line
+            table = pv.Show(OutputPort(source, port), chart)
+            pv.Render(chart)
+            table.Visibility = 0
+        elif data.GetNumberOfPoints() > 0:
+            pv.Show(OutputPort(source, port), render)
+            pv.Render(render)
+        check(f"output {port} of {source.SMProxy.GetXMLName()}")
+
+display = pv.Show(two_point, chart)
+display.SeriesVisibility = ["S_1_1", "1", "S_m_m", "1"]
+display.SeriesColor = ["S_1_1", "1", "0", "0"]
+chart.BottomAxisTitle, chart.LeftAxisLogScale = "Lag", 1
+pv.Render(chart)
+check("properties of a chart")
+
+for display in displays:
+    pv.ColorBy(display, ("POINTS", "Radius"))
+    display.RescaleTransferFunctionToDataRange(True, False)
+    display.Opacity = 0.5
+pv.Render(render)
+displays[-1].Representation = "3D Glyphs"
+pv.Hide(cell, render)
+render.CameraPosition = [30, 20, 10]
+pv.Render(render)
+check("colours, another representation and camera")
+pv.Delete(chart)
+pv.Delete(render)
+
+print("\n".join(failures) or "each ran once")
+if failures:
+    sys.exit(1)  # not with 0, which would take this rank away from the others
