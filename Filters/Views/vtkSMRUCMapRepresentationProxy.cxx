@@ -13,6 +13,7 @@
 #include <vtkSMRenderViewProxy.h>
 #include <vtkSMSourceProxy.h>
 
+#include <algorithm>
 #include <cctype>
 #include <string>
 
@@ -49,6 +50,7 @@ void vtkSMRUCMapRepresentationProxy::Open(vtkSMProxy* view, vtkPVXMLElement* hin
   vtkSMPropertyHelper(this, "Slice").Set((data->GetExtent()[5] - data->GetExtent()[4]) / 2);
   this->UpdateVTKObjects();
 
+  const double edge = std::max(bounds.GetLength(0), bounds.GetLength(1));
   if (vtkSMProxy* grid = vtkSMPropertyHelper(this, "DataAxesGrid").GetAsProxy())
   {
     vtkSMPropertyHelper(grid, "GridAxesVisibility").Set(1);
@@ -57,6 +59,15 @@ void vtkSMRUCMapRepresentationProxy::Open(vtkSMProxy* view, vtkPVXMLElement* hin
       const std::string title = OutputHint::Title(this, hint, axis);
       const std::string property = static_cast<char>(std::toupper(axis[0])) + std::string("Title");
       vtkSMPropertyHelper(grid, property.c_str()).Set(title.c_str());
+    }
+    // Degrees of S_rsq would dwarf lags of a few units wherever the camera is reset
+    if (bounds.GetLength(2) > 2.0 * edge)
+    {
+      double frame[6];
+      bounds.GetBounds(frame);
+      frame[4] = frame[5] = 0.5 * (frame[4] + frame[5]);
+      vtkSMPropertyHelper(grid, "CustomBounds").Set(frame, 6);
+      vtkSMPropertyHelper(grid, "UseCustomBounds").Set(1);
     }
     grid->UpdateVTKObjects();
   }
@@ -67,15 +78,14 @@ void vtkSMRUCMapRepresentationProxy::Open(vtkSMProxy* view, vtkPVXMLElement* hin
   }
   double center[3];
   bounds.GetCenter(center);
-  const double edge = bounds.GetMaxLength();
-  const double position[3] = { center[0], center[1], center[2] + 3.0 * edge };
+  const double position[3] = { center[0], center[1], center[2] + 3.0 * bounds.GetMaxLength() };
   const double up[3] = { 0.0, 1.0, 0.0 };
   vtkSMPropertyHelper(view, "CameraFocalPoint").Set(center, 3);
   vtkSMPropertyHelper(view, "CameraPosition").Set(position, 3);
   vtkSMPropertyHelper(view, "CameraViewUp").Set(up, 3);
   // In perspective the axes lie behind the slice
   vtkSMPropertyHelper(view, "CameraParallelProjection").Set(1);
-  vtkSMPropertyHelper(view, "CameraParallelScale").Set(0.65 * edge);
+  vtkSMPropertyHelper(view, "CameraParallelScale").Set(0.75 * edge);
 }
 
 bool vtkSMRUCMapRepresentationProxy::IsCameraFree(vtkSMProxy* view)

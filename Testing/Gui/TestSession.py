@@ -44,7 +44,9 @@ def make():
 
     view("RenderView", 401, modes)
     glyphs, displays = view("RenderView", 402, replicas, OutputPort(replicas, 1))
-    displays[0].SetRepresentationType("3D Glyphs")
+    for name, value in {"Representation": "3D Glyphs", "GlyphType": "Sphere", "Scaling": 1, "ScaleMode": "Magnitude",
+                        "SelectScaleArray": "Radius", "ScaleFactor": 2.0}.items():
+        setattr(displays[0], name, value)
     pv.ColorBy(displays[0], ("POINTS", "Mode"))
     map_view, displays = view("RenderView", 403, three_point)
     displays[0].Slice = 2
