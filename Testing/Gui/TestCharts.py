@@ -127,7 +127,12 @@ for source, port, titles, slice_number in ((three_point, 0, ["r1 (µm)", "r2 (µ
     center = [0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3])]
     sight = [a - b for a, b in zip(view.CameraPosition, view.CameraFocalPoint)]
     check("camera", (sight[:2], sight[2] > 0.0, list(view.CameraFocalPoint[:2])), ([0.0, 0.0], True, center))
-    check("in sight", 2.0 * view.CameraParallelScale > bounds[3] - bounds[2], True)
+    edge = bounds[3] - bounds[2]
+    check("in sight", edge < 2.0 * view.CameraParallelScale < 2.0 * edge, True)
+    pv.Hide(modes, view)
+    pv.Render(view)
+    view.ResetCamera()
+    check("in sight after a reset", edge < 2.0 * view.CameraParallelScale < 2.0 * edge, True)
     pv.Delete(view)
 
 # After a chart, a filter whose result lies in space finds the 3D view

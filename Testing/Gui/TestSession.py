@@ -11,10 +11,11 @@ import sys
 
 import paraview.simple as pv
 from paraview import servermanager
-from paraview.servermanager import Fetch, OutputPort
+from paraview.servermanager import OutputPort
 from paraview.smstate import get_state
 
 from ImageDifference import image_difference
+from Outputs import numbers_of
 
 what, path, folder = sys.argv[1:4]
 if len(sys.argv) > 4:
@@ -62,35 +63,8 @@ def make():
         file.write(get_state())
 
 
-def rows_of(data):
-    """Every number of a table or a point set, a line a row."""
-    if data.IsA("vtkMultiBlockDataSet"):
-        blocks = [data.GetBlock(n) for n in range(data.GetNumberOfBlocks())]  # empty where another rank has the cell
-        return [row for block in blocks if block for row in rows_of(block)]
-    attributes = data.GetRowData() if data.IsA("vtkTable") else data.GetPointData()
-    arrays = sorted((attributes.GetAbstractArray(n) for n in range(attributes.GetNumberOfArrays())), key=lambda array: array.GetName())
-    if data.IsA("vtkPointSet") and data.GetPoints():
-        arrays.append(data.GetPoints().GetData())
-    count = arrays[0].GetNumberOfTuples() if arrays else 0
-    rows = [" ".join(array.GetValue(n) if array.IsA("vtkStringArray") else " ".join(map(float.hex, map(float, array.GetTuple(n))))
-                     for array in arrays) for n in range(count)]
-    return sorted(rows)  # points spread over ranks come in another order
-
-
 def write(target):
-    lines = []
-    for name in ("reader", "modes", "two_point", "cell", "of_cell", "three_point", "comparison", "replicas"):
-        source = pv.FindSource(name)
-        source.UpdatePipeline()
-        for port in range(source.SMProxy.GetNumberOfOutputPorts()):
-            data = source.GetDataInformation(port)
-            kind = data.GetDataSetTypeAsString()
-            lines.append(f"{name} {port} {kind}")
-            if kind == "vtkImageData":  # in slabs on the ranks, which share points
-                points = source[port].PointData
-                lines += [f"{data.GetExtent()} {array.GetName()} {array.GetRange()}" for array in points]
-            else:
-                lines += rows_of(Fetch(source, idx=port))
+    lines = numbers_of(("reader", "modes", "two_point", "cell", "of_cell", "three_point", "comparison", "replicas"))
     with open(f"{target}/numbers.txt", "w") as file:
         file.write("\n".join(lines) + "\n")
     for view in pv.GetViews():

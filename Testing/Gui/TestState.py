@@ -34,6 +34,14 @@ assert Fetch(two_point).GetNumberOfRows() == two_point.NumberOfLags + 1 == 41
 assert Fetch(three_point).GetDimensions() == (21, 21, 11)
 assert Fetch(three_point).GetPointData().GetScalars().GetName() == "S_m_m_m"
 
+# What Apply has opened: each chart in a view of its own, and the map apart from the pack
+charts = GetViews("XYChartView")
+assert sorted(chart.LeftAxisTitle for chart in charts) == ["Objective F2", "Probability S_rs"]
+for chart, source, port in zip(sorted(charts, key=lambda chart: chart.LeftAxisTitle), (cell, two_point), (1, 0)):
+    assert GetRepresentation(OutputPort(source, port), chart).Visibility
+assert three_point not in [display.Input for display in view.Representations if hasattr(display, "Input")]
+assert len(GetViews("RenderView")) == 2
+
 view.ViewSize = [400, 300]
 view.OrientationAxesVisibility = 0
 view.ResetActiveCameraToNegativeZ()
