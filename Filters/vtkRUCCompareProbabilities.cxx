@@ -138,6 +138,7 @@ int vtkRUCCompareProbabilities::FillInputPortInformation(int port, vtkInformatio
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 1);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1); // Execute says that it is required
   return 1;
 }
 
@@ -168,6 +169,11 @@ void vtkRUCCompareProbabilities::Execute(
 {
   vtkImageData* pack = vtkImageData::GetData(inputs[0]);
   const int cells = inputs[1]->GetNumberOfInformationObjects();
+  if (cells == 0)
+  {
+    throw std::invalid_argument(ruc::Text("Cell requires ",
+      pack ? "an image" : "one or more tables", " to compare the input with, got none."));
+  }
   for (int n = 0; n < cells; ++n)
   {
     if ((vtkImageData::GetData(inputs[1], n) != nullptr) != (pack != nullptr))

@@ -276,6 +276,7 @@ int vtkRUCSpheresRepresentation::ProcessViewRequest(
       this->Mapper->SetInputDataObject(nullptr);
       window = nullptr;
     }
+    this->WindowActor->SetVisibility(this->GetVisibility() && window);
     this->WindowActor->GetMapper()->SetInputDataObject(window);
     this->WindowActor->SetUserMatrix(this->Actor->GetMatrix());
     auto* view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()));
