@@ -19,26 +19,19 @@ def read_pack():
     return ParticleModes(registrationName="Modes", Input=pack, NumberOfModes=9)
 
 
-def show_colors(display, array, title, labels=()):
+def show_colors(display, array, title):
     """The colour bar below the picture."""
     view, colors = GetActiveView(), GetColorTransferFunction(array)
     display.SetScalarBarVisibility(view, True)
     bar = GetScalarBar(colors, view)
     bar.Title, bar.ComponentTitle, bar.Orientation, bar.WindowLocation, bar.ScalarBarLength = title, "", "Horizontal", "Lower Center", 0.5
-    if labels:
-        bar.UseCustomLabels, bar.CustomLabels, bar.RangeLabelFormat, bar.LabelFormat = 1, labels, "%.0f", "%.0f"
-        bar.AutomaticLabelFormat = 0
 
 
 def show_in_space(output, *others):
     """Spheres coloured by mode, seen at an angle."""
     view = CreateView("RenderView", OrientationAxesVisibility=0)
     display = Show(output, view)
-    ColorBy(display, ("POINTS", "Mode"))
-    colors = GetColorTransferFunction("Mode")
-    colors.ApplyPreset("Viridis (matplotlib)", True)
-    colors.RescaleTransferFunction(1.0, 9.0)
-    show_colors(display, "Mode", "Mode", [3.0, 5.0, 7.0])
+    show_colors(display, "Mode", "Mode")
     for other in others:
         Show(other, view)
     ResetCamera(view)
