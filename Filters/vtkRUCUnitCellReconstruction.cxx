@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iomanip>
 #include <numeric>
 #include <stdexcept>
 
@@ -479,7 +480,8 @@ void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents
       report.Update((cell + state.Iteration / most) / this->NumberOfCells,
         ruc::Text(this->NumberOfCells > 1 ? ruc::Text("cell ", cell + 1, ", ") : std::string(),
           state.Phase, ", ", this->Method == GRADIENT ? "iteration " : "generation ",
-          state.Iteration, ", F2 = ", state.Objective, ", overlap ", state.OverlapPercent, " %"));
+          state.Iteration, std::setprecision(4), ", F2 = ", state.Objective, ", overlap ",
+          std::setprecision(2), state.OverlapPercent, " %"));
     }
     return this->FindStopReason(report);
   };

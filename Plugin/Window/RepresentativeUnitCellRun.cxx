@@ -30,6 +30,33 @@
 
 namespace
 {
+// Logarithms of 1, 2, 5, 10, … from the last at or below `low` to the first at or above `high`; of
+// whole decades where these would be many
+std::vector<double> Ticks(double low, double high)
+{
+  constexpr double margin = 1e-9;
+  const std::vector<double> steps = high - low > 2.0
+    ? std::vector<double>{ 0.0 }
+    : std::vector<double>{ 0.0, std::log10(2.0), std::log10(5.0) };
+  std::vector<double> ticks;
+  for (double decade = std::floor(low); ticks.empty() || ticks.back() < high - margin; ++decade)
+  {
+    for (const double step : steps)
+    {
+      const double tick = decade + step;
+      if (!ticks.empty() && tick <= low + margin)
+      {
+        ticks.clear();
+      }
+      if (ticks.size() < 2 || ticks.back() < high - margin)
+      {
+        ticks.push_back(tick);
+      }
+    }
+  }
+  return ticks;
+}
+
 // F2 against time, on a logarithmic axis
 class ConvergencePlot : public QWidget
 {
@@ -51,28 +78,27 @@ protected:
     painter.setRenderHint(QPainter::Antialiasing);
     const QFontMetrics text = this->fontMetrics();
     const int left = text.horizontalAdvance("0.0000") + 8;
-    const QRectF frame(left, text.height() / 2 + 2, this->width() - left - 12,
-      this->height() - 2.5 * text.height() - 4);
+    const QRectF frame(left, 1.5 * text.height(), this->width() - left - 12,
+      this->height() - 3.0 * text.height() - 4);
     painter.fillRect(frame, this->palette().base());
+    painter.drawText(QRectF(0, 0, frame.right(), text.height()), Qt::AlignHCenter, "Objective F2");
 
-    // Whole and half decades, so that the axis moves seldom
     double low = this->Points.front().y(), high = low;
     for (const QPointF& point : this->Points)
     {
       low = std::min(low, point.y());
       high = std::max(high, point.y());
     }
-    low = std::floor(2.0 * low - 0.2) / 2.0;
-    high = std::ceil(2.0 * high + 0.2) / 2.0;
+    const std::vector<double> ticks = Ticks(low, high);
+    low = ticks.front();
+    high = ticks.back();
     const double last = std::max(this->Points.back().x(), 1.0);
     const auto place = [&](double seconds, double exponent)
     {
       return QPointF(frame.left() + frame.width() * seconds / last,
         frame.bottom() - frame.height() * (exponent - low) / (high - low));
     };
-
-    const double step = high - low > 2.0 ? 1.0 : 0.5;
-    for (double exponent = low; exponent <= high + 1e-9; exponent += step)
+    for (const double exponent : ticks)
     {
       const double y = place(0.0, exponent).y();
       painter.setPen(this->palette().color(QPalette::Midlight));
