@@ -37,7 +37,7 @@ QString Program()
     if (QString(tracker->GetPluginName(n)) == "RepresentativeUnitCell")
     {
       const QFileInfo plugin(tracker->GetPluginFileName(n));
-      return plugin.absolutePath() + "/RepresentativeUnitCellRun";
+      return QFileInfo(plugin.canonicalFilePath()).path() + "/RepresentativeUnitCellRun";
     }
   }
   return {};
