@@ -83,6 +83,19 @@ double vtkRUCPackAlgorithm::GetEstimatedMemory()
   }
 }
 
+const char* vtkRUCPackAlgorithm::GetAutomaticValues()
+{
+  try
+  {
+    this->AutomaticValues = this->MakeEstimate().Automatic;
+  }
+  catch (const std::exception&)
+  {
+    this->AutomaticValues.clear();
+  }
+  return this->AutomaticValues.c_str();
+}
+
 void vtkRUCPackAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

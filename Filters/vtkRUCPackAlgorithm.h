@@ -17,6 +17,8 @@
 
 #include "vtkRUCParallelAlgorithm.h"
 
+#include <string>
+
 class vtkPointSet;
 
 namespace PackData
@@ -84,6 +86,9 @@ public:
    */
   double GetEstimatedTime();
   virtual double GetEstimatedMemory();
+  /** What 0 stands for, about, in properties that are then automatic: "Maximum Lag 394". Empty
+   * where none is 0, and where that is not known. */
+  const char* GetAutomaticValues();
 
 protected:
   vtkRUCPackAlgorithm() = default;
@@ -118,6 +123,7 @@ private:
   double CylinderHeight = 0.0;
   bool CropToWindow = false;
   vtkIdType SpheresInInput = 0;
+  std::string AutomaticValues;
 };
 
 #endif

@@ -107,6 +107,10 @@ ruc::Estimate vtkRUCThreePointProbability::MakeEstimate()
     throw std::invalid_argument("There is no such work.");
   }
   ruc::Estimate estimate = ruc::EstimatePack(pack);
+  if (this->MaximumLag == 0.0)
+  {
+    estimate.Automatic = ruc::Text("Maximum Lag ", grid.Lags.Maximum());
+  }
   estimate += ruc::EstimatePairSum(pack, grid.Lags);
   estimate += ruc::EstimateFans(pack, grid, ruc::ParseTriples(this->Phases, pack.Modes).size(),
     this->StandardErrors, this->NumberOfThrows);

@@ -362,6 +362,10 @@ ruc::Estimate vtkRUCTwoPointProbability::MakeEstimate()
   }
   const bool byChords = this->Method == CHORD_SAMPLING;
   ruc::Estimate estimate = ruc::EstimatePack(pack);
+  if (this->MaximumLag == 0.0)
+  {
+    estimate.Automatic = ruc::Text("Maximum Lag ", lags.Maximum());
+  }
   if (byChords || this->ChordLengths)
   {
     ruc::Estimate chords = ruc::EstimateChords(pack, lags, lines.Samples);

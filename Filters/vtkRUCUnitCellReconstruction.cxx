@@ -124,6 +124,12 @@ void FillTableOfCells(const std::vector<CellSearch::FoundCell>& cells,
   PackData::AddColumn(table, "EndedBy", endedBy);
 }
 
+double TwoDigits(double value)
+{
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::round(value / digit) * digit;
+}
+
 // From outside
 bool WasStopped(const CellSearch::FoundCell& found)
 {
@@ -383,10 +389,21 @@ ruc::Estimate vtkRUCUnitCellReconstruction::MakeEstimate()
   ruc::LagGrid lags = { 0.0, 0 };
   ruc::Estimate estimate;
   const ruc::CellFigures cell = this->FindCellFigures(lags, estimate);
+  const double edge = std::cbrt(cell.Spheres / cell.Density);
+  if (this->NumberOfParticles == 0 && this->ModeCounts.empty())
+  {
+    estimate.Automatic = ruc::Text("Number Of Particles ", TwoDigits(cell.Spheres));
+    estimate.Automatic +=
+      this->CellSize > 0.0 ? std::string() : ruc::Text(", Cell Size ", TwoDigits(edge));
+  }
   if (lags.Count == 0)
   {
-    lags = TwoPointSum::MakeLags(
-      this->MaximumLag, this->NumberOfLags, 0.5 * std::cbrt(cell.Spheres / cell.Density));
+    lags = TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags, 0.5 * edge);
+    if (this->MaximumLag == 0.0)
+    {
+      estimate.Automatic += ruc::Text(
+        estimate.Automatic.empty() ? "" : ", ", "Maximum Lag ", TwoDigits(lags.Maximum()));
+    }
     estimate += ruc::EstimatePairSum(this->FindFigures(), lags);
   }
   ruc::Estimate search = settings.ByPopulation

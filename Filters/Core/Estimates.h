@@ -7,6 +7,7 @@
 #include "Statistics/ThreePointGrid.h"
 
 #include <cstddef>
+#include <string>
 
 /**
  * @file
@@ -42,6 +43,7 @@ struct Estimate
   double Seconds = 0.0;         // of one core
   double MegabytesOfRank = 0.0; // of every rank
   double MegabytesOfAll = 0.0;  // shared by the ranks
+  std::string Automatic = {};   // what 0 stands for in settings that are then automatic, in words
 
   Estimate& operator+=(const Estimate& other);
 };

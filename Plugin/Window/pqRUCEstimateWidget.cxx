@@ -155,5 +155,10 @@ void pqRUCEstimateWidget::estimate()
   {
     text += ", " + MemoryText(memory) + " on every rank";
   }
+  const QString automatic = vtkSMPropertyHelper(scratch, "AutomaticValues").GetAsString();
+  if (!automatic.isEmpty())
+  {
+    text += "<br>0 stands for about: " + automatic.toHtmlEscaped();
+  }
   this->Text->setText(text);
 }

@@ -15,9 +15,10 @@ class QLabel;
 
 /**
  * A line in the panel that tells before Apply how long a run will take and how much memory it will
- * use: the information properties EstimatedTime and EstimatedMemory of a scratch proxy of the same
- * kind and input, with the numbers that stand in the panel now. The filter itself is not touched,
- * and nothing runs. In place of an editor of the property SpheresInInput.
+ * use, and what automatic values are: the information properties EstimatedTime, EstimatedMemory
+ * and AutomaticValues of a scratch proxy of the same kind and input, with the numbers that stand in
+ * the panel now. The filter itself is not touched, and nothing runs. In place of an editor of the
+ * property SpheresInInput.
  */
 class pqRUCEstimateWidget : public pqPropertyWidget
 {

@@ -3,6 +3,7 @@
 """EstimatedTime and EstimatedMemory: known before a run and without one, 0 where there is nothing to go by. How long a run takes is no
 matter of tests; Testing/Benchmark/run prints it."""
 import os
+import re
 
 from paraview.simple import *
 
@@ -55,6 +56,30 @@ def without_a_run():
     unlimited = estimate(endless)[0]
     endless.TimeLimit = 5
     assert 5.0 <= estimate(endless)[0] < 10.0 < unlimited, (estimate(endless), unlimited)
+
+
+def automatic_values():
+    """What 0 stands for is said before the run, and is what the field data say after it."""
+    pack = make_pack()
+    for filter in (TwoPointProbability, ThreePointProbability):
+        source = filter(Input=pack)
+        estimate(source)
+        said = source.GetProperty('AutomaticValues').GetData()
+        taken = fetch(source, 1).GetFieldData().GetArray('MaximumLag').GetValue(0)
+        assert said == 'Maximum Lag %.6g' % taken, (filter, said, taken)
+        source.MaximumLag = 1.0
+        estimate(source)
+        assert not source.GetProperty('AutomaticValues').GetData()
+    cell = UnitCellReconstruction(Input=pack, NumberOfParticles=100, MaximumIterations=1, NumberOfLags=20)
+    estimate(cell)
+    said = cell.GetProperty('AutomaticValues').GetData()
+    taken = fetch(cell).GetFieldData().GetArray('BoxSize').GetValue(0) / 2
+    number = float(said.split()[-1])
+    # The final edge differs a little, so that the fractions fit best; two digits are said
+    assert said.startswith('Maximum Lag ') and abs(number / taken - 1) < 0.15, (said, taken)
+    cell.NumberOfParticles = 0
+    estimate(cell)
+    assert re.fullmatch(r'Number Of Particles \S+, Cell Size \S+, Maximum Lag \S+', cell.GetProperty('AutomaticValues').GetData())
 
 
 def spheres_told():
@@ -117,4 +142,4 @@ def shared_by_ranks():
     assert fetch(TwoPointProbability(Input=spread, MaximumLag=1.0)).GetNumberOfRows() == 278
 
 
-run((without_a_run, spheres_told, from_a_table, nothing_to_go_by, shared_by_ranks))
+run((without_a_run, automatic_values, spheres_told, from_a_table, nothing_to_go_by, shared_by_ranks))
