@@ -252,10 +252,6 @@ private:
         {
           reason = signal.Heard();
         }
-        else if (this->Ranks.Rank() == 0)
-        {
-          signal.Give(reason);
-        }
         return reason.empty();
       },
       resume ? &*resume : nullptr,

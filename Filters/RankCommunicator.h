@@ -47,8 +47,8 @@ private:
 };
 
 /**
- * A word that the lowest rank may give to the others while all go their own ways, without a step
- * that they take together. Made and closed by all ranks.
+ * A word that the lowest rank, once it is done, may give to the others that still go their own
+ * ways, without a step that they take together. Made and closed by all ranks.
  */
 class RankSignal
 {
@@ -56,22 +56,20 @@ public:
   explicit RankSignal(const RankCommunicator& ranks);
   ~RankSignal();
 
-  /** To be called on the lowest rank, with at most 31 characters; only the first word counts. */
-  void Give(const std::string& word);
-
-  /** To be called on any rank, as often as wanted: the word, or nothing as long as there is none.
-   */
+  /** The word, or nothing as long as there is none; to be called as often as wanted. */
   std::string Heard();
 
   /**
    * Collective: ends when all ranks have come here. Until then the lowest one calls `ask` some ten
-   * times a second and gives the word that it returns, if any.
+   * times a second and gives the first word that it returns, of at most 31 characters.
    */
   void Close(const std::function<std::string()>& ask);
 
 private:
   RankSignal(const RankSignal&) = delete;
   void operator=(const RankSignal&) = delete;
+
+  void Give(const std::string& word);
 
   using Letter = std::array<char, 32>;
 
