@@ -73,7 +73,7 @@ check("properties of a chart")
 for display in displays:
     pv.ColorBy(display, ("POINTS", "Radius"))
     display.RescaleTransferFunctionToDataRange(True, False)
-    display.Opacity = 0.5
+    display.SphereScale = 0.5
 pv.Render(render)
 displays[-1].Representation = "3D Glyphs"
 pv.Hide(cell, render)

@@ -16,7 +16,7 @@ def say(text):
 
 PORT, PACK = sys.argv[1:3] if len(sys.argv) > 2 else (None, None)
 if PORT:
-    simple.Connect('localhost', int(PORT))
+    simple.Connect('127.0.0.1', int(PORT))  # a bare system may not know the name localhost
 names = ('SpherePackReader', 'ParticleModes', 'TwoPointProbability', 'UnitCellReconstruction')
 found = [name for name in names if hasattr(simple, name)]
 say('found %d of %d' % (len(found), len(names)))
