@@ -236,7 +236,6 @@ private:
     search.State.reset();
     RankSignal signal(this->Ranks);
     std::string reason;
-    ruc::SearchState last;
     Method::Run(
       this->Contents, this->Target, search.Settings, *search.Group,
       [&](const ruc::SearchState& state)
@@ -245,7 +244,6 @@ private:
         {
           return true;
         }
-        last = state;
         // Some reasons are seen on the lowest rank alone
         reason = this->Callbacks.StopReason(search.Number, state);
         if (reason.empty())
@@ -272,7 +270,8 @@ private:
       this->Write(search, key);
       search.State.reset();
     }
-    signal.Close([&]() { return this->Callbacks.StopReason(search.Number, last); });
+    signal.Close([&]()
+      { return this->Callbacks.StopReason(search.Number, search.Found.Cell.Convergence.back()); });
     const bool stopped = search.Found.Cell.EndedBy == "Stopped";
     if (stopped)
     {

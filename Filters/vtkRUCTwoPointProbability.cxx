@@ -181,6 +181,7 @@ void vtkRUCTwoPointProbability::Execute(
     if (region)
     {
       this->AddRegionSummary(data, *region);
+      PackData::AddField(data, "Stopped", std::vector<long long>{ measured.Stopped });
     }
     if (this->Method != EXACT_PAIR_SUM)
     {
@@ -188,14 +189,12 @@ void vtkRUCTwoPointProbability::Execute(
         this->Method == TEMPLATE_SAMPLING ? "NumberOfThrows" : "NumberOfLines",
         std::vector<long long>{ static_cast<long long>(measured.Samples) });
       PackData::AddField(data, "TotalError", std::vector<double>{ measured.TotalError });
-      PackData::AddField(data, "Stopped", std::vector<long long>{ measured.Stopped });
     }
   }
   this->AddConsistency(measured.Mean, share, vtkTable::GetData(outputs, CHECKS));
   if (measured.Stopped && ranks.Rank() == 0)
   {
-    vtkWarningMacro(<< this->GetLabel() << ": stopped after " << measured.Samples
-                    << (this->Method == TEMPLATE_SAMPLING ? " throws." : " lines."));
+    vtkWarningMacro(<< this->GetLabel() << ": stopped before all samples were taken.");
   }
   const bool sumsPairs = this->Method == EXACT_PAIR_SUM || !imagePairs.empty();
   if (sumsPairs && ranks.Rank() == 0 && overlap > PackData::TolerableOverlap)
@@ -222,10 +221,15 @@ ruc::SampledTwoPoint vtkRUCTwoPointProbability::Measure(const ruc::PackShare& sh
     case CHORD_SAMPLING:
       return byChords;
     case TEMPLATE_SAMPLING:
-      return ruc::SampleTemplate(
+    {
+      ruc::SampledTwoPoint byThrows = ruc::SampleTemplate(
         share.Own, modes, *region, lags, this->GetSettings(true), ranks, progress);
+      byThrows.Stopped = byThrows.Stopped || byChords.Stopped;
+      return byThrows;
+    }
     default: // exact, so without errors
-      return { TwoPointSum::Compute(share, lags, ranks, report), {}, {}, {}, 0, 0.0 };
+      return { TwoPointSum::Compute(share, lags, ranks, report), {}, {}, {}, 0, 0.0,
+        byChords.Stopped };
   }
 }
 

@@ -174,7 +174,7 @@ Estimate EstimateFans(const PackFigures& pack, const ThreePointGrid& grid, std::
     static_cast<double>(triples) * 0.5 * rays * rays * intervals * intervals * PerPairOfIntervals;
   const double tables = static_cast<double>(grid.Size()) * (triples + 1.0);
   return { throws * ofThrow + FewestBatchesOfFans * tables * PerGridEntry,
-    (EstimateFanMemory(grid, triples, withErrors, true)) / Megabyte,
+    EstimateFanMemory(grid, triples, withErrors, true) / Megabyte,
     8.0 * static_cast<double>(grid.Size()) * triples * (withErrors ? 2 : 1) / Megabyte };
 }
 
