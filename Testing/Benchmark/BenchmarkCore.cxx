@@ -6,15 +6,15 @@
  * three-point probabilities (with the time of a throw, and that of the plain template, which counts
  * the same and so has the same error). One thread unless OMP_NUM_THREADS says otherwise.
  */
-#include "Geometry/CellList.h"
-#include "Geometry/RayFan.h"
-#include "Geometry/SphereGrid.h"
-#include "Geometry/SpherePackText.h"
-#include "Random.h"
-#include "Reconstruction/CellObjective.h"
-#include "Statistics/FanSampling.h"
-#include "Statistics/ParticleModes.h"
-#include "Statistics/TwoPointProbability.h"
+#include "ruc/Base/Random.h"
+#include "ruc/Formats/SpherePackText.h"
+#include "ruc/Particles/CellList.h"
+#include "ruc/Particles/ParticleModes.h"
+#include "ruc/Reconstruction/CellObjective.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
+#include "ruc/Statistics/Sampling/FanSampling.h"
+#include "ruc/Tracing/RayFan.h"
+#include "ruc/Tracing/SphereGrid.h"
 
 #include <benchmark/benchmark.h>
 
@@ -113,7 +113,7 @@ void Objective(benchmark::State& state)
   std::vector<double> centres;
   for (int i = 0; i < contents.NumberOfSpheres(); ++i)
   {
-    for (double u : ruc::UniformTriple(1, 0, i))
+    for (double u : ruc::UniformTriple(1, ruc::RandomStream::CellCentres, i))
     {
       centres.push_back(u * contents.Edge);
     }

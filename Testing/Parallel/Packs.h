@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Random.h"
-#include "Reconstruction/OverlapRemoval.h"
+#include "ruc/Base/Random.h"
+#include "ruc/Packing/OverlapRemoval.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -28,7 +28,7 @@ inline ruc::SpherePack MakePack(
   ruc::SpherePack pack;
   for (int i = 0; i < 600; ++i)
   {
-    const std::array<double, 3> u = ruc::UniformTriple(7, 0, i);
+    const std::array<double, 3> u = ruc::UniformTriple(7, ruc::RandomStream::CellCentres, i);
     pack.X.push_back(edge * u[0]);
     pack.Y.push_back(edge * u[1]);
     pack.Z.push_back(edge * u[2]);

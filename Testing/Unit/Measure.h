@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Statistics/TwoPointProbability.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
 
 /** The exact two-point probability of a pack, in one call. */
 inline ruc::TwoPointProbability Measure(

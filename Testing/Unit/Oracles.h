@@ -8,8 +8,8 @@
  * packs. Nothing here uses the core's own formulas or its cell list.
  */
 
-#include "Geometry/SpherePack.h"
-#include "Reconstruction/OverlapRemoval.h"
+#include "ruc/Packing/OverlapRemoval.h"
+#include "ruc/Particles/SpherePack.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 
 /** @file What chord and template sampling are compared with. */
 
-#include "Geometry/SamplingRegion.h"
 #include "Oracles.h"
-#include "Statistics/SampledSums.h"
 #include "ThreadRanks.h"
+#include "ruc/Statistics/Sampling/SampledSums.h"
+#include "ruc/Tracing/SamplingRegion.h"
 
 #include <omp.h>
 

@@ -4,7 +4,7 @@
 
 #include "Measure.h"
 #include "Oracles.h"
-#include "Reconstruction/CellContents.h"
+#include "ruc/Reconstruction/CellContents.h"
 
 /** @file A problem for searches: a pack of 8 times 40 spheres, and a cell of 40. */
 

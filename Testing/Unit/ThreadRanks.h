@@ -4,8 +4,8 @@
 
 /** @file Ranks within one process, for testing what ranks do together without MPI. */
 
-#include "Communicator.h"
-#include "Geometry/SpherePack.h"
+#include "ruc/Base/Communicator.h"
+#include "ruc/Particles/SpherePack.h"
 
 #include <algorithm>
 #include <condition_variable>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Reconstruction/CellContents.h"
+#include "ruc/Reconstruction/CellContents.h"
 
-#include "Geometry/SphereOverlap.h"
-#include "Text.h"
+#include "ruc/Base/Text.h"
+#include "ruc/Particles/SphereOverlap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +99,16 @@ double ModeAmounts::MeanDiameter() const
 int CellContents::NumberOfSpheres() const
 {
   return std::accumulate(this->Count.begin(), this->Count.end(), 0);
+}
+
+std::vector<double> CellContents::Radii() const
+{
+  std::vector<double> radii;
+  for (std::size_t m = 0; m < this->Count.size(); ++m)
+  {
+    radii.insert(radii.end(), this->Count[m], this->Radius[m]);
+  }
+  return radii;
 }
 
 Window CellContents::MakeBox() const

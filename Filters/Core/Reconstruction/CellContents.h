@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Geometry/PackShare.h"
+#include "ruc/Particles/PackShare.h"
 
 #include <vector>
 
@@ -38,6 +38,9 @@ struct CellContents
   double Edge = 0.0;          // h_c, equation (12)
 
   int NumberOfSpheres() const;
+
+  /** The radius of every sphere, in the order of the modes. */
+  std::vector<double> Radii() const;
 
   /** The periodic cube from 0 to the edge. */
   Window MakeBox() const;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Reconstruction/CellObjective.h"
+#include "ruc/Reconstruction/CellObjective.h"
 
-#include "Geometry/SphereOverlap.h"
-#include "Statistics/PairLoops.h"
+#include "ruc/Particles/SphereOverlap.h"
+#include "ruc/Statistics/PairSums/PairLoops.h"
 
 #include <omp.h>
 

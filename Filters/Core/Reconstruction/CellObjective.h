@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Communicator.h"
-#include "Reconstruction/CellContents.h"
-#include "Statistics/PairHistogram.h"
-#include "Statistics/TwoPointProbability.h"
+#include "ruc/Base/Communicator.h"
+#include "ruc/Reconstruction/CellContents.h"
+#include "ruc/Statistics/PairSums/PairHistogram.h"
+#include "ruc/Statistics/Results/TwoPointProbability.h"
 
 #include <cstdint>
 #include <vector>

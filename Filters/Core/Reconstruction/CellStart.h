@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Reconstruction/CellContents.h"
+#include "ruc/Reconstruction/CellContents.h"
 
 #include <cstdint>
 #include <vector>
@@ -10,35 +10,11 @@
 namespace ruc
 {
 /**
- * The two ways in which a cell is filled before a search (section IV B of the paper). Both give x,
- * y, z of every sphere in [0, edge)^3, in the order of the modes, and depend on the seed and on
- * `number`, which tells the individuals of a population apart, alone.
+ * One of the two ways in which a cell is filled before a search (section IV B of the paper): x, y,
+ * z of every sphere in the order of the modes, uniform in [0, edge)^3 without regard to overlap.
+ * They depend on the seed and on `number`, which tells the individuals of a population apart,
+ * alone. The other way is DepositBallistically.
  */
-
-/** Centres uniform in the cell, without regard to overlap. */
 std::vector<double> RandomCentres(
   const CellContents& contents, std::uint32_t seed, std::uint32_t number);
-
-/** A cell filled by ballistic deposition. */
-struct BallisticDeposition
-{
-  std::vector<double> Centres;
-  /** The largest (a + b - d) / (a + b) of all pairs, images included; 0 where none overlaps. */
-  double Degree = 0.0;
-};
-
-/** Of a degree of 0.25 every sphere finds its place at once up to volume fractions of 0.63. */
-constexpr double DefaultDepositionDegree = 0.25;
-
-/**
- * Puts the spheres into the cell one after another, the largest first, each drawn uniformly and
- * re-drawn until it overlaps none that is there by more than a `degree` (a + b - d) / (a + b) in
- * [0, 1].
- *
- * A sphere that finds no place in 10 000 draws takes the one of them that exceeds the degree least,
- * so that the deposition ends always; BallisticDeposition::Degree is above `degree` then, and not
- * otherwise. Throws std::invalid_argument for a degree out of range.
- */
-BallisticDeposition DepositBallistically(
-  const CellContents& contents, std::uint32_t seed, std::uint32_t number, double degree);
 }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Reconstruction/GradientSearch.h"
+#include "ruc/Reconstruction/GradientSearch.h"
 
-#include "Reconstruction/CellObjective.h"
-#include "Reconstruction/CellStart.h"
-#include "Text.h"
+#include "ruc/Base/Text.h"
+#include "ruc/Reconstruction/CellObjective.h"
+#include "ruc/Reconstruction/CellStart.h"
 
 #include <algorithm>
 #include <cmath>

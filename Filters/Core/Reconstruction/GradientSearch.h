@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Communicator.h"
-#include "Reconstruction/CellContents.h"
-#include "Reconstruction/Descent.h"
-#include "Reconstruction/UnitCell.h"
-#include "Statistics/TwoPointProbability.h"
+#include "ruc/Base/Communicator.h"
+#include "ruc/Reconstruction/CellContents.h"
+#include "ruc/Reconstruction/Descent.h"
+#include "ruc/Reconstruction/UnitCell.h"
+#include "ruc/Statistics/Results/TwoPointProbability.h"
 
 #include <cstdint>
 #include <functional>

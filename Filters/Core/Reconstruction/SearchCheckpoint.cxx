@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Reconstruction/SearchCheckpoint.h"
+#include "ruc/Reconstruction/SearchCheckpoint.h"
 
-#include "Text.h"
+#include "ruc/Base/Text.h"
 
 #include <algorithm>
 #include <cstring>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Reconstruction/GradientSearch.h"
-#include "Reconstruction/PopulationSearch.h"
+#include "ruc/Reconstruction/GradientSearch.h"
+#include "ruc/Reconstruction/Population/PopulationSearch.h"
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Reconstruction/UnitCell.h"
+#include "ruc/Reconstruction/UnitCell.h"
+
+#include "ruc/Packing/OverlapRemoval.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
 
 namespace ruc
 {

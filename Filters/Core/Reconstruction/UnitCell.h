@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Communicator.h"
-#include "Reconstruction/OverlapRemoval.h"
-#include "Statistics/TwoPointProbability.h"
+#include "ruc/Base/Communicator.h"
+#include "ruc/Particles/PackOverlap.h"
+#include "ruc/Statistics/Results/TwoPointProbability.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PackEstimate.h"
+
+#include "ruc/Base/Text.h"
+#include "ruc/Reconstruction/CellContents.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkTable.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+namespace
+{
+// As many spheres tell the sizes of all
+constexpr vtkIdType MostLookedAt = 20000;
+
+void Require(bool good, const char* what)
+{
+  if (!good)
+  {
+    throw std::invalid_argument(ruc::Text("An estimate requires ", what, "."));
+  }
+}
+}
+
+ruc::PackFigures PackEstimate::FindFigures(
+  vtkPointSet* piece, const PackData::WindowProperties& properties, double spheres, int ranks)
+{
+  const vtkIdType points = piece ? piece->GetNumberOfPoints() : 0;
+  Require(points > 0, "spheres on this rank");
+  vtkDataArray* radius = PackData::RequireArray(piece, "Radius");
+  vtkDataArray* mode = PackData::RequireArray(piece, "Mode");
+  ruc::PackFigures pack;
+  double cubes = 0.0, number = 0.0;
+  std::set<std::pair<double, double>> types;
+  for (vtkIdType i = 0; i < points; i += 1 + points / MostLookedAt)
+  {
+    const double r = radius->GetTuple1(i);
+    pack.MeanRadius += r;
+    pack.MeanSquareRadius += r * r;
+    cubes += r * r * r;
+    number += 1.0;
+    types.insert({ mode->GetTuple1(i), r });
+  }
+  pack.MeanRadius /= number;
+  pack.MeanSquareRadius /= number;
+  pack.MeanDiameter = 2.0 * std::cbrt(cubes / number);
+  pack.LargestRadius = radius->GetRange(0)[1];
+  pack.Modes = static_cast<int>(std::clamp(mode->GetRange(0)[1], 1.0, 1e6));
+  pack.Types = static_cast<int>(types.size());
+
+  vtkDataArray* total = piece->GetFieldData()->GetArray("NumberOfSpheres");
+  pack.Spheres = static_cast<double>(points);
+  if (spheres > 0.0)
+  {
+    pack.Spheres = spheres;
+  }
+  else if (ranks > 1)
+  {
+    Require(total && total->GetNumberOfValues() == 1, "the number of spheres on all ranks");
+    pack.Spheres = total->GetTuple1(0);
+  }
+  if (const std::optional<ruc::Window> window = PackData::FindWindowHere(piece, properties))
+  {
+    pack.Volume = window->Volume();
+    pack.ShortestEdge = window->ShortestEdge();
+    pack.Periodic = window->IsFullyPeriodic();
+  }
+  else
+  {
+    double bounds[6];
+    piece->GetBounds(bounds);
+    const double share = points / pack.Spheres;
+    const double edges[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] };
+    pack.Volume = edges[0] * edges[1] * edges[2] / share;
+    // The bounds of a piece are not those of the pack
+    pack.ShortestEdge = share < 1.0 ? std::cbrt(pack.Volume) : *std::min_element(edges, edges + 3);
+  }
+  Require(pack.Volume > 0.0 && pack.MeanRadius > 0.0 && std::isfinite(cubes), "spheres in space");
+  return pack;
+}
+
+double PackEstimate::AutomaticLag(const ruc::PackFigures& pack, bool exact)
+{
+  const double half = 0.5 * pack.ShortestEdge;
+  // Of the exact sum the diameter, of samples two margins
+  const double largest = pack.ShortestEdge - 2.0 * pack.LargestRadius;
+  Require(pack.Periodic || largest > 0.0, "a window larger than its spheres");
+  return pack.Periodic ? half : std::min(half, (exact ? 0.999 : 0.998) * largest);
+}
+
+ruc::CellFigures PackEstimate::FindCellFigures(
+  vtkTable* table, const std::vector<double>& diameters, ruc::LagGrid& lags)
+{
+  vtkDataArray* r = vtkDataArray::SafeDownCast(table->GetColumnByName("r"));
+  Require(r && r->GetNumberOfTuples() > 1, "a table of S_rs");
+  lags.Count = static_cast<int>(r->GetNumberOfTuples()) - 1;
+  lags.Spacing = r->GetTuple1(lags.Count) / lags.Count;
+  std::vector<double> fractions;
+  for (std::size_t mode = 1; mode <= diameters.size(); ++mode)
+  {
+    vtkDataArray* s =
+      vtkDataArray::SafeDownCast(table->GetColumnByName(ruc::Text("S_", mode, "_", mode).c_str()));
+    Require(s && s->GetNumberOfTuples() > 1, "a column for each mode");
+    fractions.push_back(s->GetTuple1(0));
+  }
+  const ruc::ModeAmounts amounts(fractions, diameters);
+  ruc::CellFigures cell;
+  cell.Modes = amounts.NumberOfModes();
+  for (int mode = 0; mode < cell.Modes; ++mode)
+  {
+    cell.Density += amounts.Number[mode];
+    cell.LargestRadius = std::max(cell.LargestRadius, amounts.Radius[mode]);
+  }
+  return cell;
+}
+
+double PackEstimate::Cores(int ranks)
+{
+  return static_cast<double>(ranks) * omp_get_max_threads();
+}

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "PackData.h"
+#include "RUCCommonModule.h"
+#include "ruc/Estimates/Estimates.h"
+
+#include <vector>
+
+/** What one rank knows of its input without asking the others, in the form that estimates take. */
+namespace PackEstimate RUCCOMMON_EXPORT
+{
+/**
+ * Figures of a pack with `Mode`. `spheres` is how many all ranks have; 0: on one rank those of
+ * `piece`, on several its field data `NumberOfSpheres`. Sizes and, where there is no window, the
+ * density are those of `piece`. Throws std::invalid_argument where the pack is not known.
+ */
+ruc::PackFigures FindFigures(
+  vtkPointSet* piece, const PackData::WindowProperties& properties, double spheres, int ranks);
+
+/** The last lag that MaximumLag = 0 stands for, of the exact sum or, with its margin, of samples.
+ */
+double AutomaticLag(const ruc::PackFigures& pack, bool exact);
+
+/** A cell like those of a table of S_rs with spheres of these diameters, still without a number;
+ * and the table's lags. Throws std::invalid_argument where the table does not tell. */
+ruc::CellFigures FindCellFigures(
+  vtkTable* table, const std::vector<double>& diameters, ruc::LagGrid& lags);
+
+/** Threads of all ranks. */
+double Cores(int ranks);
+}

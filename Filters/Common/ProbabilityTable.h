@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "RUCCommonModule.h"
+#include "ruc/Statistics/Results/TwoPointProbability.h"
+
+#include <string>
+
+class RankCommunicator;
+class vtkTable;
+
+/** Tables of S_rs, of this plugin or from any program. */
+namespace ProbabilityTable RUCCOMMON_EXPORT
+{
+/**
+ * Collective: S_rs from a table with the columns `r` and `S_1_1`, `S_1_2`, … `S_m_m`, one for each
+ * unordered pair of phases, in any order; others are ignored. All its rows are on one rank. The
+ * rows are the lags 0, dr, 2 dr, …; fractions are S_rr at lag 0. Throws std::invalid_argument, the
+ * same on every rank, where a column is missing or not of numbers, where there are fewer than two
+ * rows, where lags do not begin at 0 or their steps are not equal to 1e-6 of their mean, and for
+ * values that are not numbers. `what` names the table in messages.
+ */
+ruc::TwoPointProbability Read(vtkTable* table, const std::string& what, RankCommunicator& ranks);
+}

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRUCPackAlgorithm
+ * @brief What the filters of sphere packs have in common
+ *
+ * The input is a sphere pack: any point set with a point array `Radius` and, for most filters,
+ * `Mode`. It may lie on one rank, be spread over ranks, or leave ranks empty; outputs are the same.
+ *
+ * The window, the region in which the centres were observed, comes from the pack's field data
+ * (`BoxOrigin`, `BoxSize`, `BoxPeriodic`, or `CylinderBase`, `CylinderAxis`, `CylinderRadius`,
+ * `CylinderHeight`), else from the properties of the same names, else it is the box of the centres'
+ * bounds. All lengths are in the pack's unit.
+ */
+#ifndef vtkRUCPackAlgorithm_h
+#define vtkRUCPackAlgorithm_h
+
+#include "vtkRUCParallelAlgorithm.h"
+
+#include <string>
+
+class vtkPointSet;
+
+namespace PackData
+{
+struct WindowProperties;
+}
+namespace ruc
+{
+struct Estimate;
+struct PackFigures;
+}
+
+class RUCCOMMON_EXPORT vtkRUCPackAlgorithm : public vtkRUCParallelAlgorithm
+{
+public:
+  vtkTypeMacro(vtkRUCPackAlgorithm, vtkRUCParallelAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Origin and edges of a box window; edges of 0 (the default) leave the window to the pack. */
+  vtkSetVector3Macro(BoxOrigin, double);
+  vtkGetVector3Macro(BoxOrigin, double);
+  vtkSetVector3Macro(BoxSize, double);
+  vtkGetVector3Macro(BoxSize, double);
+  ///@}
+  ///@{
+  /** Which axes of the box window are periodic. Default: none. */
+  vtkSetVector3Macro(BoxPeriodic, int);
+  vtkGetVector3Macro(BoxPeriodic, int);
+  ///@}
+  ///@{
+  /** A cylinder window: centre of the base, axis direction (default z), radius and height; 0 leaves
+   * the window to the pack. */
+  vtkSetVector3Macro(CylinderBase, double);
+  vtkGetVector3Macro(CylinderBase, double);
+  vtkSetVector3Macro(CylinderAxis, double);
+  vtkGetVector3Macro(CylinderAxis, double);
+  vtkSetMacro(CylinderRadius, double);
+  vtkGetMacro(CylinderRadius, double);
+  vtkSetMacro(CylinderHeight, double);
+  vtkGetMacro(CylinderHeight, double);
+  ///@}
+  ///@{
+  /** Leave spheres with centres outside the window out, instead of refusing the pack. Default: off.
+   */
+  vtkSetMacro(CropToWindow, bool);
+  vtkGetMacro(CropToWindow, bool);
+  ///@}
+  ///@{
+  /**
+   * For the estimates alone: how many spheres the input has on all ranks together, which rank 0
+   * cannot know by itself. Does not modify the filter. Default: 0, the input's field data
+   * `NumberOfSpheres`, or on one rank its points.
+   */
+  void SetSpheresInInput(vtkIdType number) { this->SpheresInInput = number; }
+  vtkIdType GetSpheresInInput() const { return this->SpheresInInput; }
+  ///@}
+
+  /**
+   * What a run with the properties as they are would take on an even pack: seconds, with the work
+   * shared by all ranks and their threads, and megabytes of 10^6 bytes on every rank. Told from the
+   * input as it was last updated on this rank, without any work and without asking other ranks, so
+   * to a factor of three (Core/Estimates.h). 0 where that is not known: without input, for
+   * properties out of range, and by the filters that do not say.
+   */
+  double GetEstimatedTime();
+  virtual double GetEstimatedMemory();
+  /** What 0 stands for, about, in properties that are then automatic: "Maximum Lag 394". Empty
+   * where none is 0, and where that is not known. */
+  const char* GetAutomaticValues();
+
+protected:
+  vtkRUCPackAlgorithm() = default;
+  ~vtkRUCPackAlgorithm() override = default;
+
+  /** The same for the pack, vtkRUCParallelAlgorithm::Execute. */
+  virtual void Execute(
+    vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) = 0;
+  void Execute(
+    vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks) override;
+
+  PackData::WindowProperties GetWindowProperties() const;
+
+  /** What the estimates are made of, from figures of the pack; throws std::exception where they are
+   * not known. */
+  virtual ruc::Estimate MakeEstimate();
+  /** The pack as this rank alone knows it; throws std::invalid_argument where it does not. */
+  ruc::PackFigures FindFigures();
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+private:
+  vtkRUCPackAlgorithm(const vtkRUCPackAlgorithm&) = delete;
+  void operator=(const vtkRUCPackAlgorithm&) = delete;
+
+  double BoxOrigin[3] = { 0.0, 0.0, 0.0 };
+  double BoxSize[3] = { 0.0, 0.0, 0.0 };
+  int BoxPeriodic[3] = { 0, 0, 0 };
+  double CylinderBase[3] = { 0.0, 0.0, 0.0 };
+  double CylinderAxis[3] = { 0.0, 0.0, 1.0 };
+  double CylinderRadius = 0.0;
+  double CylinderHeight = 0.0;
+  bool CropToWindow = false;
+  vtkIdType SpheresInInput = 0;
+  std::string AutomaticValues;
+};
+
+#endif

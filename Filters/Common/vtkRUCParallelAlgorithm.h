@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRUCParallelAlgorithm
+ * @brief What all filters of this plugin have in common: ranks and errors
+ *
+ * Whatever is wrong with the input or a property is found on all ranks alike, reported once, and
+ * leaves every output empty; no rank hangs. A filter with several outputs runs once for all of
+ * them.
+ */
+#ifndef vtkRUCParallelAlgorithm_h
+#define vtkRUCParallelAlgorithm_h
+
+#include "RUCCommonModule.h"
+
+#include "vtkDataObjectAlgorithm.h"
+
+class RankCommunicator;
+class vtkMultiProcessController;
+
+class RUCCOMMON_EXPORT vtkRUCParallelAlgorithm : public vtkDataObjectAlgorithm
+{
+public:
+  vtkTypeMacro(vtkRUCParallelAlgorithm, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The ranks that work together; the global controller unless set. */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const { return this->Controller; }
+  ///@}
+
+protected:
+  vtkRUCParallelAlgorithm();
+  ~vtkRUCParallelAlgorithm() override;
+
+  /** The name that error messages and progress carry: the label in the menu. */
+  virtual const char* GetLabel() const = 0;
+
+  /**
+   * Fills the outputs, on all ranks together. Throws std::invalid_argument, the same on every rank,
+   * for bad input. The outputs are empty at the start and are emptied again after an error.
+   */
+  virtual void Execute(
+    vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks) = 0;
+
+  int RequestDataObject(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) final;
+
+private:
+  vtkRUCParallelAlgorithm(const vtkRUCParallelAlgorithm&) = delete;
+  void operator=(const vtkRUCParallelAlgorithm&) = delete;
+
+  vtkMultiProcessController* Controller = nullptr;
+};
+
+#endif

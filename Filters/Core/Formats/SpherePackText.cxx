@@ -1,0 +1,443 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Formats/SpherePackText.h"
+
+#include "ruc/Base/Text.h"
+#include "ruc/Particles/CellList.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <stdexcept>
+
+namespace ruc
+{
+namespace
+{
+constexpr std::size_t LongestLine = 65536;
+
+[[noreturn]] void Fail(std::size_t line, const std::string& what)
+{
+  throw std::invalid_argument(Text("Line ", line, ": ", what));
+}
+
+// The place of the first byte that is not UTF-8, or npos
+std::size_t FindBadByte(std::string_view text)
+{
+  for (std::size_t i = 0; i < text.size();)
+  {
+    const unsigned char c = static_cast<unsigned char>(text[i]);
+    const std::size_t length = c < 0x80 ? 1
+      : c >= 0xC2 && c < 0xE0           ? 2
+      : c >= 0xE0 && c < 0xF0           ? 3
+      : c >= 0xF0 && c < 0xF5           ? 4
+                                        : 0;
+    bool good = length > 0 && i + length <= text.size() && c != 0;
+    for (std::size_t k = 1; good && k < length; ++k)
+    {
+      good = (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
+    }
+    if (!good)
+    {
+      return i;
+    }
+    i += length;
+  }
+  return std::string_view::npos;
+}
+
+std::string_view TrimBlanks(std::string_view field)
+{
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!field.empty() && blank(field.front()))
+  {
+    field.remove_prefix(1);
+  }
+  while (!field.empty() && blank(field.back()))
+  {
+    field.remove_suffix(1);
+  }
+  return field;
+}
+
+std::string_view TrimField(std::string_view field)
+{
+  field = TrimBlanks(field);
+  if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
+  {
+    field = field.substr(1, field.size() - 2);
+  }
+  return field;
+}
+
+// ' ' stands for any run of blanks
+char FindSeparator(std::string_view line)
+{
+  for (char separator : { ';', '\t', ',' })
+  {
+    if (line.find(separator) != std::string_view::npos)
+    {
+      return separator;
+    }
+  }
+  return ' ';
+}
+
+void Split(std::string_view line, char separator, std::vector<std::string_view>& fields)
+{
+  fields.clear();
+  if (separator == ' ')
+  {
+    for (std::size_t at = line.find_first_not_of(' '); at != std::string_view::npos;)
+    {
+      const std::size_t end = std::min(line.find(' ', at), line.size());
+      fields.push_back(TrimField(line.substr(at, end - at)));
+      at = line.find_first_not_of(' ', end);
+    }
+    return;
+  }
+  for (std::size_t at = 0; at <= line.size();)
+  {
+    const std::size_t end = std::min(line.find(separator, at), line.size());
+    fields.push_back(TrimField(line.substr(at, end - at)));
+    at = end + 1;
+  }
+  if (fields.size() > 1 && fields.back().empty()) // a separator at the end of the line
+  {
+    fields.pop_back();
+  }
+}
+
+bool ParseNumber(std::string_view field, double& value)
+{
+  if (field.size() > 1 && field.front() == '+')
+  {
+    field.remove_prefix(1);
+  }
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error == std::errc::result_out_of_range)
+  {
+    value = std::numeric_limits<double>::infinity(); // refused like one
+  }
+  return error != std::errc::invalid_argument && end == field.data() + field.size();
+}
+
+std::string Quote(std::string_view field)
+{
+  constexpr std::size_t most = 40;
+  return "'" + std::string(field.substr(0, most)) + (field.size() > most ? "…'" : "'");
+}
+
+std::string Lower(std::string_view name)
+{
+  std::string lower(name);
+  std::transform(
+    lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  return lower;
+}
+
+struct Columns
+{
+  int X = 0, Y = 1, Z = 2, Radius = 3, Mode = -1, Id = -1;
+  bool Diameter = false;
+  std::size_t Count = 0; // of fields a row
+  std::vector<std::string> Names;
+
+  std::string Name(int column) const
+  {
+    return this->Names.empty() ? Text("column ", column + 1)
+                               : Text("column ", column + 1, " ('", this->Names[column], "')");
+  }
+};
+
+int FindColumn(const std::vector<std::string>& names, std::initializer_list<const char*> wanted)
+{
+  for (const char* name : wanted)
+  {
+    for (std::size_t c = 0; c < names.size(); ++c)
+    {
+      if (Lower(names[c]) == name)
+      {
+        return static_cast<int>(c);
+      }
+    }
+  }
+  return -1;
+}
+
+Columns FindColumns(std::size_t line, const std::vector<std::string_view>& fields, bool header,
+  const SpherePackTextSettings& settings)
+{
+  Columns columns;
+  columns.Count = fields.size();
+  columns.Diameter = settings.RadiusIsDiameter;
+  std::string found;
+  if (header)
+  {
+    columns.Names.assign(fields.begin(), fields.end());
+    for (const std::string& name : columns.Names)
+    {
+      found += (found.empty() ? "'" : ", '") + name + "'";
+    }
+    const struct
+    {
+      int& Column;
+      const char* Name;
+      std::initializer_list<const char*> Names;
+    } axes[] = { { columns.X, "x", { "x", "points:0", "points_0" } },
+      { columns.Y, "y", { "y", "points:1", "points_1" } },
+      { columns.Z, "z", { "z", "points:2", "points_2" } } };
+    for (const auto& axis : axes)
+    {
+      axis.Column = FindColumn(columns.Names, axis.Names);
+      if (axis.Column < 0)
+      {
+        Fail(line, Text("a column '", axis.Name, "' is required, got the columns ", found, "."));
+      }
+    }
+    columns.Mode = FindColumn(columns.Names, { "mode" });
+    columns.Id = FindColumn(columns.Names, { "id" });
+  }
+  else if (columns.Count < 3)
+  {
+    Fail(line,
+      Text("the columns x, y, z and radius are required, got ", columns.Count, " column(s)."));
+  }
+
+  double number = 0.0;
+  if (!settings.RadiusColumn.empty() && ParseNumber(settings.RadiusColumn, number) &&
+    number == std::floor(number))
+  {
+    if (!(number >= 1.0 && number <= columns.Count))
+    {
+      Fail(line,
+        Text("RadiusColumn requires a column from 1 to ", columns.Count, ", got ", number, "."));
+    }
+    columns.Radius = static_cast<int>(number) - 1;
+  }
+  else if (!settings.RadiusColumn.empty())
+  {
+    const std::string wanted = Lower(settings.RadiusColumn);
+    columns.Radius = FindColumn(columns.Names, { wanted.c_str() });
+    if (columns.Radius < 0)
+    {
+      Fail(line,
+        Text("RadiusColumn requires a column '", settings.RadiusColumn, "', got ",
+          header ? "the columns " + found : "a text without header", "."));
+    }
+  }
+  else if (header)
+  {
+    columns.Radius = FindColumn(columns.Names, { "radius", "r", "rad" });
+    if (columns.Radius < 0)
+    {
+      columns.Radius = FindColumn(columns.Names, { "diameter", "d", "diam" });
+      columns.Diameter = true;
+    }
+    if (columns.Radius < 0)
+    {
+      Fail(line,
+        Text("a column 'radius' or 'diameter' is required (or RadiusColumn set), got the columns ",
+          found, "."));
+    }
+  }
+  else if (columns.Count < 4)
+  {
+    Fail(line,
+      Text("the columns x, y, z and radius are required, got ", columns.Count, " column(s)."));
+  }
+  return columns;
+}
+
+double Number(
+  std::size_t line, const std::vector<std::string_view>& fields, const Columns& columns, int column)
+{
+  double value = 0.0;
+  if (!ParseNumber(fields[column], value))
+  {
+    Fail(line, Text(columns.Name(column), " requires a number, got ", Quote(fields[column]), "."));
+  }
+  if (!std::isfinite(value))
+  {
+    Fail(line,
+      Text(columns.Name(column), " requires a finite number, got ", Quote(fields[column]), "."));
+  }
+  return value;
+}
+
+// A whole number that a double holds exactly
+std::int64_t Integer(std::size_t line, const std::vector<std::string_view>& fields,
+  const Columns& columns, int column, double most)
+{
+  const double value = Number(line, fields, columns, column);
+  if (value != std::floor(value) || std::abs(value) > most)
+  {
+    Fail(line,
+      Text(columns.Name(column), " requires a whole number, got ", Quote(fields[column]), "."));
+  }
+  return static_cast<std::int64_t>(value);
+}
+}
+
+void SpherePackText::Append(const SpherePackText& other, std::size_t i)
+{
+  this->Pack.Append(other.Pack, i);
+  this->Line.push_back(other.Line[i]);
+}
+
+SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettings& settings)
+{
+  if (!(std::isfinite(settings.Scale) && settings.Scale > 0.0))
+  {
+    throw std::invalid_argument(
+      Text("Scale requires a finite number > 0, got ", settings.Scale, "."));
+  }
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  if (text.substr(0, byteOrderMark.size()) == byteOrderMark)
+  {
+    text.remove_prefix(byteOrderMark.size());
+  }
+  SpherePackText result;
+  SpherePack& pack = result.Pack;
+  Columns columns;
+  char separator = ' ';
+  bool first = true;
+  std::vector<std::string_view> fields;
+  for (std::size_t at = 0, number = 1; at < text.size(); ++number)
+  {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string_view line = text.substr(at, end - at);
+    at = end + 1;
+    if (number <= static_cast<std::size_t>(std::max(settings.SkipLines, 0)))
+    {
+      continue;
+    }
+    if (line.size() > LongestLine)
+    {
+      Fail(number,
+        Text("a line of at most ", LongestLine, " bytes is required, got ", line.size(), "."));
+    }
+    const std::size_t bad = FindBadByte(line);
+    if (bad != std::string_view::npos)
+    {
+      Fail(number,
+        Text("UTF-8 text is required, got the byte ",
+          static_cast<unsigned>(static_cast<unsigned char>(line[bad])), " at place ", bad + 1,
+          "."));
+    }
+    line = TrimBlanks(line);
+    if (line.empty() || line.front() == '#')
+    {
+      continue;
+    }
+    if (first)
+    {
+      separator = FindSeparator(line);
+    }
+    Split(line, separator, fields);
+    if (first)
+    {
+      first = false;
+      double ignored;
+      const bool header = std::any_of(
+        fields.begin(), fields.end(), [&](auto field) { return !ParseNumber(field, ignored); });
+      columns = FindColumns(number, fields, header, settings);
+      if (header)
+      {
+        continue;
+      }
+    }
+    if (fields.size() != columns.Count)
+    {
+      Fail(number,
+        Text(columns.Count, " fields are required as in the first line, got ", fields.size(), "."));
+    }
+    const double radius =
+      Number(number, fields, columns, columns.Radius) * (columns.Diameter ? 0.5 : 1.0);
+    if (!(radius > 0.0))
+    {
+      Fail(number,
+        Text(columns.Name(columns.Radius), " requires a number > 0, got ",
+          Quote(fields[columns.Radius]), "."));
+    }
+    const double numbers[4] = { Number(number, fields, columns, columns.X),
+      Number(number, fields, columns, columns.Y), Number(number, fields, columns, columns.Z),
+      radius };
+    for (double value : numbers)
+    {
+      if (!std::isfinite(settings.Scale * value) || settings.Scale * radius == 0.0)
+      {
+        Fail(number,
+          Text("Scale requires a factor that leaves every number finite and every radius > 0, got ",
+            settings.Scale, "."));
+      }
+    }
+    pack.X.push_back(settings.Scale * numbers[0]);
+    pack.Y.push_back(settings.Scale * numbers[1]);
+    pack.Z.push_back(settings.Scale * numbers[2]);
+    pack.Radius.push_back(settings.Scale * radius);
+    if (columns.Mode >= 0)
+    {
+      pack.Mode.push_back(static_cast<int>(
+        Integer(number, fields, columns, columns.Mode, std::numeric_limits<int>::max())));
+    }
+    if (columns.Id >= 0)
+    {
+      pack.Id.push_back(Integer(number, fields, columns, columns.Id, 9007199254740992.0));
+    }
+    result.Line.push_back(number);
+  }
+  if (pack.Empty())
+  {
+    throw std::invalid_argument("At least one line with a sphere is required, got none.");
+  }
+  return result;
+}
+
+std::vector<bool> FindPeriodicCopies(const SpherePack& pack, const Window& box)
+{
+  constexpr double tolerance = 1e-5;
+  std::vector<bool> outside(pack.Size(), false);
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    for (int q = 0; q < 3; ++q)
+    {
+      const double c = pack.Centre(i)[q];
+      outside[i] =
+        outside[i] || (box.Periodic[q] && !(c >= box.Origin[q] && c < box.Origin[q] + box.Size[q]));
+    }
+  }
+  std::vector<bool> copy(pack.Size(), false);
+  if (std::find(outside.begin(), outside.end(), true) == outside.end())
+  {
+    return copy;
+  }
+  SpherePack wrapped = pack;
+  WrapIntoBox(wrapped, box);
+  const CellList cells(
+    wrapped, box, tolerance * *std::max_element(box.Size.begin(), box.Size.end()));
+  std::vector<CellList::Range> ranges;
+  for (std::size_t i = 0; i < cells.Size(); ++i)
+  {
+    cells.FindRanges(i, ranges);
+    for (const CellList::Range& range : ranges)
+    {
+      for (std::size_t j = range.Begin; j < range.End; ++j)
+      {
+        const double distance =
+          std::hypot(cells.X[j] - range.X, cells.Y[j] - range.Y, cells.Z[j] - range.Z);
+        const std::size_t p = cells.Index[i], q = cells.Index[j];
+        if (outside[p] != outside[q] && distance < cells.GetCutoff() &&
+          std::abs(pack.Radius[p] - pack.Radius[q]) <= tolerance * pack.Radius[p])
+        {
+          copy[outside[p] ? p : q] = true;
+        }
+      }
+    }
+  }
+  return copy;
+}
+}

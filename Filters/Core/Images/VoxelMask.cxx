@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Images/VoxelMask.h"
+
+#include "ruc/Base/Text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace ruc
+{
+namespace
+{
+/**
+ * values[i] = min over j of values[j] + (spacing (i - j))^2, all values finite: the lower envelope
+ * of parabolas (Felzenszwalb and Huttenlocher, Theory of Computing 8, 2012).
+ */
+class ParabolaEnvelope
+{
+public:
+  explicit ParabolaEnvelope(std::size_t count)
+    : Values(count)
+    , Vertex(count)
+    , From(count)
+  {
+  }
+
+  void Transform(double* values, std::size_t stride, double spacing)
+  {
+    const int count = static_cast<int>(this->Values.size());
+    const double square = spacing * spacing;
+    int last = -1;
+    for (int i = 0; i < count; ++i)
+    {
+      this->Values[i] = values[i * stride];
+      double from = -std::numeric_limits<double>::infinity();
+      while (last >= 0)
+      {
+        const int j = this->Vertex[last];
+        from = 0.5 * ((this->Values[i] - this->Values[j]) / (square * (i - j)) + i + j);
+        if (from > this->From[last])
+        {
+          break;
+        }
+        --last;
+      }
+      ++last;
+      this->Vertex[last] = i;
+      this->From[last] = last == 0 ? -std::numeric_limits<double>::infinity() : from;
+    }
+    int part = 0;
+    for (int i = 0; i < count; ++i)
+    {
+      while (part < last && this->From[part + 1] < i)
+      {
+        ++part;
+      }
+      const double away = i - this->Vertex[part];
+      values[i * stride] = this->Values[this->Vertex[part]] + square * away * away;
+    }
+  }
+
+private:
+  std::vector<double> Values;
+  std::vector<int> Vertex;
+  std::vector<double> From;
+};
+}
+
+VoxelMask::VoxelMask(const std::array<int, 3>& dimensions, const Vector3& lower,
+  const Vector3& spacing, std::vector<std::uint8_t> inside)
+  : Dimensions(dimensions)
+  , Lower(lower)
+  , Spacing(spacing)
+  , Inside(std::move(inside))
+{
+  double voxels = 1.0;
+  for (int q = 0; q < 3; ++q)
+  {
+    if (dimensions[q] < 1)
+    {
+      throw std::invalid_argument(Text("Mask requires three dimensions >= 1, got ", dimensions[0],
+        " ", dimensions[1], " ", dimensions[2], "."));
+    }
+    if (!(spacing[q] > 0.0 && std::isfinite(spacing[q]) && std::isfinite(lower[q])))
+    {
+      throw std::invalid_argument(
+        Text("Mask requires a finite origin and finite spacings > 0, got ", lower[0], " ", lower[1],
+          " ", lower[2], " and ", spacing[0], " ", spacing[1], " ", spacing[2], "."));
+    }
+    voxels *= dimensions[q];
+  }
+  if (voxels != static_cast<double>(this->Inside.size()))
+  {
+    throw std::invalid_argument(
+      Text("Mask requires ", voxels, " voxels, got ", this->Inside.size(), "."));
+  }
+
+  std::array<int, 3> first = dimensions, last = { -1, -1, -1 };
+  std::size_t n = 0;
+  for (int z = 0; z < dimensions[2]; ++z)
+  {
+    for (int y = 0; y < dimensions[1]; ++y)
+    {
+      for (int x = 0; x < dimensions[0]; ++x)
+      {
+        if (this->Inside[n++])
+        {
+          ++this->NumberInside;
+          const int voxel[3] = { x, y, z };
+          for (int q = 0; q < 3; ++q)
+          {
+            first[q] = std::min(first[q], voxel[q]);
+            last[q] = std::max(last[q], voxel[q]);
+          }
+        }
+      }
+    }
+  }
+  if (this->NumberInside == 0)
+  {
+    throw std::invalid_argument("Mask requires at least one inside voxel, got none.");
+  }
+  Vector3 corner, size;
+  for (int q = 0; q < 3; ++q)
+  {
+    corner[q] = lower[q] + first[q] * spacing[q];
+    size[q] = (last[q] + 1 - first[q]) * spacing[q];
+  }
+  this->Bounds = Window::MakeBox(corner, size, { false, false, false });
+}
+
+bool VoxelMask::Contains(const Vector3& point) const
+{
+  int voxel[3];
+  for (int q = 0; q < 3; ++q)
+  {
+    const double v = std::floor((point[q] - this->Lower[q]) / this->Spacing[q]);
+    if (!(v >= 0.0 && v < this->Dimensions[q]))
+    {
+      return false;
+    }
+    voxel[q] = static_cast<int>(v);
+  }
+  return this->Inside[this->VoxelAt(voxel[0], voxel[1], voxel[2])] != 0;
+}
+
+double VoxelMask::Volume() const
+{
+  return this->NumberInside * this->Spacing[0] * this->Spacing[1] * this->Spacing[2];
+}
+
+VoxelMask VoxelMask::Eroded(double margin) const
+{
+  if (margin == 0.0)
+  {
+    return *this;
+  }
+  const auto [nx, ny, nz] = this->Dimensions;
+  const std::size_t strides[3] = { 1, std::size_t(nx), std::size_t(nx) * ny };
+  const std::size_t voxels = this->Inside.size();
+
+  // Voxels that touch an outside one, or the border, are at no distance from it. From there on the
+  // distance of two boxes of voxels is that of their centres less one spacing along each axis, so
+  // it is the distance of centres from these voxels.
+  std::vector<std::uint8_t> apart = this->Inside;
+  for (int q = 0; q < 3; ++q)
+  {
+    const std::vector<std::uint8_t> before = apart;
+    for (std::size_t n = 0; n < voxels; ++n)
+    {
+      const int along = static_cast<int>(n / strides[q] % this->Dimensions[q]);
+      apart[n] = along > 0 && along + 1 < this->Dimensions[q] && before[n] &&
+        before[n - strides[q]] && before[n + strides[q]];
+    }
+  }
+  const double far =
+    std::hypot(nx * this->Spacing[0], ny * this->Spacing[1], nz * this->Spacing[2]);
+  std::vector<double> distance2(voxels);
+  std::transform(apart.begin(), apart.end(), distance2.begin(),
+    [&](std::uint8_t a) { return a ? far * far : 0.0; });
+  for (int q = 0; q < 3; ++q)
+  {
+    const int other = q == 2 ? 1 : 2; // the slower of the other two axes
+    const int another = 3 - q - other;
+#pragma omp parallel
+    {
+      ParabolaEnvelope envelope(this->Dimensions[q]);
+#pragma omp for schedule(static)
+      for (int a = 0; a < this->Dimensions[other]; ++a)
+      {
+        for (int b = 0; b < this->Dimensions[another]; ++b)
+        {
+          envelope.Transform(distance2.data() + a * strides[other] + b * strides[another],
+            strides[q], this->Spacing[q]);
+        }
+      }
+    }
+  }
+
+  std::vector<std::uint8_t> kept(voxels);
+  const double least = margin * (1.0 - 1e-9);
+  bool any = false;
+  for (std::size_t n = 0; n < voxels; ++n)
+  {
+    kept[n] = this->Inside[n] && distance2[n] >= least * least;
+    any = any || kept[n];
+  }
+  if (!any)
+  {
+    throw std::invalid_argument(Text("The mask requires inside voxels at least ", margin,
+      " from every outside one and from the border of the image, got none."));
+  }
+  return VoxelMask(this->Dimensions, this->Lower, this->Spacing, std::move(kept));
+}
+
+void VoxelMask::Intersect(const Vector3& start, const Vector3& direction, double length,
+  std::vector<LineInterval>& intervals) const
+{
+  intervals.clear();
+  double begin = 0.0, end = length;
+  for (int q = 0; q < 3; ++q)
+  {
+    const double low = this->Lower[q];
+    const double high = low + this->Dimensions[q] * this->Spacing[q];
+    if (direction[q] == 0.0)
+    {
+      if (start[q] < low || start[q] >= high)
+      {
+        return;
+      }
+      continue;
+    }
+    const double t0 = (low - start[q]) / direction[q], t1 = (high - start[q]) / direction[q];
+    begin = std::max(begin, std::min(t0, t1));
+    end = std::min(end, std::max(t0, t1));
+  }
+  if (!(begin < end))
+  {
+    return;
+  }
+
+  int voxel[3], step[3];
+  double next[3]; // where the line leaves the voxel along each axis
+  const auto leaves = [&](int q)
+  {
+    return step[q] == 0
+      ? std::numeric_limits<double>::infinity()
+      : (this->Lower[q] + (voxel[q] + (step[q] > 0)) * this->Spacing[q] - start[q]) / direction[q];
+  };
+  for (int q = 0; q < 3; ++q)
+  {
+    const double place = (start[q] + begin * direction[q] - this->Lower[q]) / this->Spacing[q];
+    voxel[q] = std::clamp(static_cast<int>(std::floor(place)), 0, this->Dimensions[q] - 1);
+    step[q] = direction[q] > 0.0 ? 1 : direction[q] < 0.0 ? -1 : 0;
+    next[q] = leaves(q);
+  }
+  double t = begin;
+  while (t < end)
+  {
+    const int q = static_cast<int>(std::min_element(next, next + 3) - next);
+    const double after = std::clamp(next[q], t, end);
+    if (after > t && this->Inside[this->VoxelAt(voxel[0], voxel[1], voxel[2])])
+    {
+      if (!intervals.empty() && intervals.back().End == t)
+      {
+        intervals.back().End = after;
+      }
+      else
+      {
+        intervals.push_back({ t, after });
+      }
+    }
+    t = after;
+    voxel[q] += step[q];
+    if (voxel[q] < 0 || voxel[q] >= this->Dimensions[q])
+    {
+      return;
+    }
+    next[q] = leaves(q);
+  }
+}
+}

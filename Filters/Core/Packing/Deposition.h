@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace ruc
+{
+/** A periodic cube filled by ballistic deposition. */
+struct BallisticDeposition
+{
+  /** x, y, z of every sphere in [0, edge)^3, in the order of the radii that were given. */
+  std::vector<double> Centres;
+  /** The largest (a + b - d) / (a + b) of all pairs, images included; 0 where none overlaps. */
+  double Degree = 0.0;
+};
+
+/** Of a degree of 0.25 every sphere finds its place at once up to volume fractions of 0.63. */
+constexpr double DefaultDepositionDegree = 0.25;
+
+/**
+ * Puts spheres of these radii into the periodic cube from 0 to `edge` one after another, the
+ * largest first, each drawn uniformly and re-drawn until it overlaps none that is there by more
+ * than a `degree` (a + b - d) / (a + b) in [0, 1]. The result depends on the seed and on `number`,
+ * which tells the individuals of a population apart, alone.
+ *
+ * A sphere that finds no place in 10 000 draws takes the one of them that exceeds the degree least,
+ * so that the deposition ends always; BallisticDeposition::Degree is above `degree` then, and not
+ * otherwise. Throws std::invalid_argument for a degree out of range.
+ */
+BallisticDeposition DepositBallistically(const std::vector<double>& radii, double edge,
+  std::uint32_t seed, std::uint32_t number, double degree);
+}

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Particles/SpherePack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ruc
+{
+/**
+ * The centres of a pack sorted into a grid of cells, for finding every pair of centres closer than
+ * a cut-off.
+ *
+ * Along a periodic axis the images of a centre count as centres of their own; the cut-off may
+ * exceed the box, in which case a sphere meets several images of another one, and of itself. Memory
+ * is linear in the number of spheres; images are not stored.
+ */
+class CellList
+{
+public:
+  /** `pack` must lie in `window` with the periodic axes wrapped (WrapIntoBox); `cutoff` > 0. */
+  CellList(const SpherePack& pack, const Window& window, double cutoff);
+
+  /** Centres, in the order of the cells. */
+  std::vector<double> X, Y, Z;
+  /** Place of each of these centres in the pack. */
+  std::vector<std::uint32_t> Index;
+
+  double GetCutoff() const { return this->Cutoff; }
+  std::size_t Size() const { return this->X.size(); }
+
+  /** Sorted places [Begin, End), to be met by a centre at (X, Y, Z): its own place, less the
+   * range's periodic shift. */
+  struct Range
+  {
+    std::size_t Begin, End;
+    double X, Y, Z;
+  };
+
+  /**
+   * Puts into `ranges` the places that the i-th centre has to be paired with. Over all i, every
+   * unordered pair of a centre and an image of a centre closer than the cut-off appears in exactly
+   * one range. A range also holds centres beyond the cut-off.
+   */
+  void FindRanges(std::size_t i, std::vector<Range>& ranges) const;
+
+  /**
+   * The places of all centres closer to a point than the cut-off, and of others: for lists without
+   * periodic axes. The ranges' X, Y, Z are the point's.
+   */
+  void FindRangesAround(const Vector3& point, std::vector<Range>& ranges) const;
+
+  /**
+   * Calls visit(begin, end) for stretches of places that hold, with others, all centres closer than
+   * `reach` to a disc of the given middle, normal (of length 1) and radius: for lists without
+   * periodic axes.
+   */
+  template <class Visit>
+  void ForEachNearDisc(
+    const Vector3& middle, const Vector3& normal, double radius, double reach, Visit&& visit) const;
+
+  /** No centre can have more than this many others, images included, within the cut-off. */
+  std::int64_t MostNeighbours() const;
+
+private:
+  struct Axis
+  {
+    double Origin, Edge, Width;
+    int Count;
+    bool Periodic;
+
+    int CellOf(double c) const;
+    // First and last cell, images included, that c - reach to c + reach meets
+    int FirstCell(double c, double reach) const;
+    int LastCell(double c, double reach) const;
+    // Distance from c to the slab of cell k
+    double DistanceTo(double c, int k) const;
+    // By how many edges the cell k lies outside the box
+    int ImageOf(int k) const;
+  };
+
+  std::size_t CellNumber(int cx, int cy, int cz) const;
+
+  double Cutoff;
+  Axis Axes[3];
+  std::vector<std::size_t> CellBegin; // first sorted place of each cell, and the end
+};
+
+template <class Visit>
+void CellList::ForEachNearDisc(
+  const Vector3& middle, const Vector3& normal, double radius, double reach, Visit&& visit) const
+{
+  const Axis &ax = this->Axes[0], &ay = this->Axes[1], &az = this->Axes[2];
+  // A centre's cell was found with rounding
+  const double slack = 1e-12 * (radius + reach + ax.Edge + ay.Edge + az.Edge);
+  const double thick = reach + slack, ball = radius + thick;
+  const auto outside = [&](const Axis& axis, double c)
+  { return c < axis.Origin - ball || c > axis.Origin + axis.Edge + ball; };
+  if (outside(ax, middle[0]) || outside(ay, middle[1]) || outside(az, middle[2]))
+  {
+    return;
+  }
+  // Rows of cells along x, cut by the ball around the disc and by the slab around its plane
+  const double halfRow = 0.5 * (std::abs(normal[1]) * ay.Width + std::abs(normal[2]) * az.Width);
+  const int lastZ = az.LastCell(middle[2], ball);
+  for (int kz = az.FirstCell(middle[2], ball); kz <= lastZ; ++kz)
+  {
+    const double dz = az.DistanceTo(middle[2], kz);
+    const double ballY = std::sqrt(std::max(ball * ball - dz * dz, 0.0));
+    const double heightZ = normal[2] * (az.Origin + (kz + 0.5) * az.Width - middle[2]);
+    const int lastY = ay.LastCell(middle[1], ballY);
+    for (int ky = ay.FirstCell(middle[1], ballY); ky <= lastY; ++ky)
+    {
+      const double dy = ay.DistanceTo(middle[1], ky);
+      const double ballX = std::sqrt(std::max(ball * ball - dz * dz - dy * dy, 0.0));
+      const double height = heightZ + normal[1] * (ay.Origin + (ky + 0.5) * ay.Width - middle[1]);
+      double low = -ballX, high = ballX; // of x - middle
+      const double room = thick + halfRow;
+      if (std::abs(normal[0]) * ball > 1e-9 * room)
+      {
+        const double a = (-room - height) / normal[0], b = (room - height) / normal[0];
+        low = std::max(low, std::min(a, b));
+        high = std::min(high, std::max(a, b));
+      }
+      else if (std::abs(height) > room * (1.0 + 1e-9))
+      {
+        continue;
+      }
+      const int firstX = ax.FirstCell(middle[0] + low - slack, 0.0);
+      const int lastX = ax.LastCell(middle[0] + high + slack, 0.0);
+      if (low <= high && firstX <= lastX)
+      {
+        const std::size_t begin = this->CellBegin[this->CellNumber(firstX, ky, kz)];
+        const std::size_t end = this->CellBegin[this->CellNumber(lastX, ky, kz) + 1];
+        if (begin < end)
+        {
+          visit(begin, end);
+        }
+      }
+    }
+  }
+}
+}

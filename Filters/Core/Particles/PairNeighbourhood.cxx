@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Particles/PairNeighbourhood.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+
+namespace ruc
+{
+namespace
+{
+using Edges = std::array<int, 3>;
+// edges along x, y, z; then x, y, z, radius, mode
+constexpr std::size_t NumbersPerSphere = 8;
+// Slack for the rounding of a displacement: a pair at the very cut-off is not missed
+constexpr double Slack = 1.0 + 1e-12;
+
+struct Bounds
+{
+  Vector3 Low, High;
+  bool Empty() const { return this->Low[0] > this->High[0]; }
+};
+
+std::vector<Bounds> FindBounds(const SpherePack& own, Communicator& ranks)
+{
+  std::vector<double> numbers(6, std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < own.Size(); ++i)
+  {
+    const Vector3 centre = own.Centre(i);
+    for (int q = 0; q < 3; ++q)
+    {
+      numbers[q] = std::min(numbers[q], centre[q]);
+      numbers[3 + q] = std::min(numbers[3 + q], -centre[q]);
+    }
+  }
+  std::vector<Bounds> bounds;
+  for (const std::vector<double>& n :
+    ranks.Exchange(std::vector<std::vector<double>>(ranks.Size(), numbers)))
+  {
+    bounds.push_back({ { n[0], n[1], n[2] }, { -n[3], -n[4], -n[5] } });
+  }
+  return bounds;
+}
+
+// Calls visit(edges) for every displacement of `centre` by whole edges that brings it closer to
+// `bounds` than the cut-off
+template <class Visit>
+void ForEachImageNear(
+  const Vector3& centre, const Bounds& bounds, const Window& window, double cutoff, Visit&& visit)
+{
+  const double cutoff2 = cutoff * cutoff;
+  const auto distance2 = [&](int q, int n)
+  {
+    const double c = centre[q] + n * window.Size[q];
+    const double d = std::max({ bounds.Low[q] - c, c - bounds.High[q], 0.0 });
+    return d * d;
+  };
+  int first[3] = { 0, 0, 0 }, last[3] = { 0, 0, 0 };
+  for (int q = 0; q < 3; ++q)
+  {
+    if (window.Periodic[q])
+    {
+      const double edge = window.Size[q];
+      first[q] = static_cast<int>(std::ceil((bounds.Low[q] - cutoff - centre[q]) / edge));
+      last[q] = static_cast<int>(std::floor((bounds.High[q] + cutoff - centre[q]) / edge));
+    }
+  }
+  for (int nx = first[0]; nx <= last[0]; ++nx)
+  {
+    const double x2 = distance2(0, nx);
+    for (int ny = first[1]; x2 < cutoff2 && ny <= last[1]; ++ny)
+    {
+      const double xy2 = x2 + distance2(1, ny);
+      for (int nz = first[2]; xy2 < cutoff2 && nz <= last[2]; ++nz)
+      {
+        if (xy2 + distance2(2, nz) < cutoff2)
+        {
+          visit(Edges{ nx, ny, nz });
+        }
+      }
+    }
+  }
+}
+
+const Window Unbounded = Window::MakeBox({ 0, 0, 0 }, { 1, 1, 1 }, { false, false, false });
+}
+
+PairNeighbourhood::PairNeighbourhood(const PackShare& share, double cutoff, Communicator& ranks)
+  : Cutoff(cutoff)
+{
+  const Edges none = { 0, 0, 0 };
+  const std::vector<Bounds> bounds = FindBounds(share.Own, ranks);
+  std::vector<std::vector<double>> outgoing(ranks.Size());
+  for (int rank = 0; rank < ranks.Size(); ++rank)
+  {
+    for (std::size_t i = 0; !bounds[rank].Empty() && i < share.Own.Size(); ++i)
+    {
+      ForEachImageNear(share.Own.Centre(i), bounds[rank], share.Observed, cutoff * Slack,
+        [&](const Edges& edges)
+        {
+          if (edges > none || (edges == none && rank < ranks.Rank()))
+          {
+            outgoing[rank].insert(outgoing[rank].end(),
+              { double(edges[0]), double(edges[1]), double(edges[2]), share.Own.X[i],
+                share.Own.Y[i], share.Own.Z[i], share.Own.Radius[i],
+                share.Own.Mode.empty() ? 0.0 : share.Own.Mode[i] });
+          }
+        });
+    }
+  }
+  std::map<Edges, SpherePack> halo;
+  for (std::vector<double>& numbers : ranks.Exchange(std::move(outgoing)))
+  {
+    for (std::size_t n = 0; n < numbers.size(); n += NumbersPerSphere)
+    {
+      SpherePack& pack = halo[{ int(numbers[n]), int(numbers[n + 1]), int(numbers[n + 2]) }];
+      pack.X.push_back(numbers[n + 3]);
+      pack.Y.push_back(numbers[n + 4]);
+      pack.Z.push_back(numbers[n + 5]);
+      pack.Radius.push_back(numbers[n + 6]);
+      pack.Mode.push_back(static_cast<int>(numbers[n + 7]));
+    }
+    std::vector<double>().swap(numbers);
+  }
+  this->Parts.push_back({ share.Own, CellList(share.Own, Unbounded, cutoff), { 0.0, 0.0, 0.0 } });
+  for (auto& [edges, pack] : halo)
+  {
+    const Vector3& size = share.Observed.Size;
+    CellList cells(pack, Unbounded, cutoff);
+    this->Parts.push_back({ std::move(pack), std::move(cells),
+      { edges[0] * size[0], edges[1] * size[1], edges[2] * size[2] } });
+  }
+}
+
+void PairNeighbourhood::FindRanges(std::size_t i, std::vector<Range>& ranges) const
+{
+  ranges.clear();
+  const CellList& own = this->Own();
+  thread_local std::vector<CellList::Range> found;
+  own.FindRanges(i, found);
+  for (std::size_t part = 0; part < this->Parts.size(); ++part)
+  {
+    if (part > 0)
+    {
+      const Vector3& shift = this->Parts[part].Shift;
+      this->Parts[part].Cells.FindRangesAround(
+        { own.X[i] - shift[0], own.Y[i] - shift[1], own.Z[i] - shift[2] }, found);
+    }
+    for (const CellList::Range& range : found)
+    {
+      ranges.push_back({ part, range.Begin, range.End });
+    }
+  }
+}
+
+std::int64_t PairNeighbourhood::MostNeighbours() const
+{
+  std::int64_t most = 0;
+  for (const Part& part : this->Parts)
+  {
+    most += part.Cells.MostNeighbours();
+  }
+  return most;
+}
+}

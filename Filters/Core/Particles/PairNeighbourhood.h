@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Particles/CellList.h"
+#include "ruc/Particles/PackShare.h"
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace ruc
+{
+/**
+ * This rank's share of a pack and its surroundings: all spheres, of other ranks and images along
+ * periodic axes, whose centres are closer than a cut-off to the box of the share's own centres.
+ *
+ * Over the own centres of all ranks, every unordered pair of a centre and an image of a centre
+ * closer than the cut-off is met exactly once: pairs of one rank by that rank, others by the lower
+ * rank, or, where the image lies whole edges away, by the rank of the sphere at which those edges
+ * are lexicographically positive. A displacement is (x_j - x_i) + shift, which changes its sign
+ * exactly when i and j change places; hence what is summed from it in integers is the same for any
+ * sharing.
+ */
+class PairNeighbourhood
+{
+public:
+  /** Collective; `cutoff` > 0. */
+  PairNeighbourhood(const PackShare& share, double cutoff, Communicator& ranks);
+
+  /** Spheres that share a displacement by whole edges; the first part is the own. */
+  struct Part
+  {
+    SpherePack Pack;
+    CellList Cells; // of Pack
+    Vector3 Shift;
+  };
+  std::vector<Part> Parts;
+
+  const CellList& Own() const { return this->Parts.front().Cells; }
+  /** Centres to begin with: places in Own(). */
+  std::size_t Size() const { return this->Own().Size(); }
+  double GetCutoff() const { return this->Cutoff; }
+
+  /** Sorted places [Begin, End) of the cells of a part. */
+  struct Range
+  {
+    std::size_t Part, Begin, End;
+  };
+
+  /** The ranges that the own centre at place i has to be paired with; they also hold centres beyond
+   * the cut-off. */
+  void FindRanges(std::size_t i, std::vector<Range>& ranges) const;
+
+  /** No centre meets more than this many others. */
+  std::int64_t MostNeighbours() const;
+
+  /**
+   * Calls visit(i, part, j, dx, dy, dz, d2) for every pair of the own centres at places [begin,
+   * end) that is closer than the cut-off: i the sphere in Parts[0].Pack, j that in part.Pack, and
+   * the displacement from i to j with its square.
+   */
+  template <class Visit>
+  void ForEachPair(std::size_t begin, std::size_t end, Visit&& visit) const
+  {
+    const CellList& own = this->Own();
+    const double cutoff2 = this->Cutoff * this->Cutoff;
+    std::vector<Range> ranges;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const double x = own.X[i], y = own.Y[i], z = own.Z[i];
+      this->FindRanges(i, ranges);
+      for (const Range& range : ranges)
+      {
+        const Part& part = this->Parts[range.Part];
+        for (std::size_t j = range.Begin; j < range.End; ++j)
+        {
+          const double dx = (part.Cells.X[j] - x) + part.Shift[0];
+          const double dy = (part.Cells.Y[j] - y) + part.Shift[1];
+          const double dz = (part.Cells.Z[j] - z) + part.Shift[2];
+          const double d2 = dx * dx + dy * dy + dz * dz;
+          if (d2 < cutoff2)
+          {
+            visit(own.Index[i], part, part.Cells.Index[j], dx, dy, dz, d2);
+          }
+        }
+      }
+    }
+  }
+
+private:
+  double Cutoff;
+};
+}

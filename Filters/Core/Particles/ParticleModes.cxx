@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Particles/ParticleModes.h"
+
+#include "ruc/Base/FixedPoint.h"
+#include "ruc/Base/Text.h"
+#include "ruc/Particles/SphereOverlap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace ruc
+{
+namespace
+{
+// Diameters closer than this, relatively, are one size
+constexpr double SameSize = 1e-9;
+
+// Of all ranks: the least and greatest diameter
+struct Extremes
+{
+  double Least, Greatest;
+};
+
+Extremes FindExtremes(const std::vector<double>& diameters, Communicator& ranks)
+{
+  double values[2] = { INFINITY, INFINITY };
+  for (double d : diameters)
+  {
+    values[0] = std::min(values[0], d);
+    values[1] = std::min(values[1], -d);
+  }
+  ranks.Minimum(values, 2);
+  return { values[0], -values[1] };
+}
+
+// The functions below return where the modes 2, 3, … begin; `diameters` ascend.
+
+std::vector<double> EqualWidthEdges(const Extremes& all, int modes)
+{
+  std::vector<double> edges;
+  const double width = (all.Greatest - all.Least) / modes;
+  for (int m = 1; m < modes; ++m)
+  {
+    edges.push_back(all.Least + m * width);
+  }
+  return edges;
+}
+
+std::vector<double> EqualVolumeEdges(const std::vector<double>& own, int modes, Communicator& ranks)
+{
+  std::vector<double> diameters;
+  for (const std::vector<double>& of :
+    ranks.Exchange(std::vector<std::vector<double>>(ranks.Size(), own)))
+  {
+    diameters.insert(diameters.end(), of.begin(), of.end());
+  }
+  std::sort(diameters.begin(), diameters.end());
+  double total = 0.0;
+  for (double d : diameters)
+  {
+    total += d * d * d;
+  }
+  std::vector<double> edges;
+  double below = 0.0;
+  for (std::size_t i = 0; i < diameters.size(); ++i)
+  {
+    // A sphere belongs to the share in which the middle of its volume lies
+    const double volume = diameters[i] * diameters[i] * diameters[i];
+    if (below + 0.5 * volume >= total * (edges.size() + 1) / modes &&
+      static_cast<int>(edges.size()) + 1 < modes)
+    {
+      edges.push_back(diameters[i]);
+    }
+    below += volume;
+  }
+  return edges;
+}
+
+std::vector<double> GivenEdges(const Extremes& all, const std::vector<double>& edges)
+{
+  // written so that an edge that is no number fails
+  const bool ascending = std::adjacent_find(edges.begin(), edges.end(),
+                           [](double a, double b) { return !(a < b); }) == edges.end();
+  if (edges.size() < 2 || !ascending || !(edges.front() >= 0.0) || !std::isfinite(edges.back()))
+  {
+    std::string got;
+    for (double edge : edges)
+    {
+      got += Text(got.empty() ? "" : " ", edge);
+    }
+    throw std::invalid_argument(
+      Text("Edges requires two or more ascending finite diameters >= 0, got ",
+        got.empty() ? "none" : got, "."));
+  }
+  if (all.Least < edges.front() || all.Greatest > edges.back())
+  {
+    throw std::invalid_argument(Text("Edges requires every diameter between its first and last, ",
+      edges.front(), " and ", edges.back(), ", got diameters from ", all.Least, " to ",
+      all.Greatest, " (MinimumDiameter leaves small spheres out)."));
+  }
+  return { edges.begin() + 1, edges.end() - 1 };
+}
+
+std::vector<double> SizeEdges(
+  const std::vector<double>& diameters, const Extremes& all, Communicator& ranks)
+{
+  std::vector<double> edges;
+  for (double size = all.Least;;)
+  {
+    const auto next = std::upper_bound(diameters.begin(), diameters.end(), size * (1.0 + SameSize));
+    size = next == diameters.end() ? INFINITY : *next;
+    ranks.Minimum(&size, 1);
+    if (size == INFINITY)
+    {
+      return edges;
+    }
+    edges.push_back(size);
+    if (edges.size() >= static_cast<std::size_t>(MostModes))
+    {
+      throw std::invalid_argument(Text(
+        "Method 'One Per Size' requires at most ", MostModes, " distinct diameters, got more."));
+    }
+  }
+}
+}
+
+ParticleModes::ParticleModes(std::vector<double> diameters, const ModeSettings& settings)
+{
+  Communicator serial;
+  *this = ParticleModes(std::move(diameters), settings, serial);
+}
+
+ParticleModes::ParticleModes(
+  std::vector<double> diameters, const ModeSettings& settings, Communicator& ranks)
+  : MinimumDiameter(settings.MinimumDiameter)
+{
+  if (!(settings.MinimumDiameter >= 0.0 && std::isfinite(settings.MinimumDiameter)))
+  {
+    throw std::invalid_argument(
+      Text("MinimumDiameter requires a finite number >= 0, got ", settings.MinimumDiameter, "."));
+  }
+  const bool counted =
+    settings.Method == ModeMethod::EqualWidth || settings.Method == ModeMethod::EqualVolume;
+  if (counted && (settings.NumberOfModes < 1 || settings.NumberOfModes > MostModes))
+  {
+    throw std::invalid_argument(Text("NumberOfModes requires 1 <= NumberOfModes <= ", MostModes,
+      ", got ", settings.NumberOfModes, "."));
+  }
+  if (settings.Edges.size() > MostModes + 1u)
+  {
+    throw std::invalid_argument(Text(
+      "Edges requires at most ", MostModes + 1, " diameters, got ", settings.Edges.size(), "."));
+  }
+  const double largest = std::max(FindExtremes(diameters, ranks).Greatest, 0.0);
+  diameters.erase(std::remove_if(diameters.begin(), diameters.end(),
+                    [&](double d) { return d < this->MinimumDiameter; }),
+    diameters.end());
+  const Extremes all = FindExtremes(diameters, ranks);
+  if (!(all.Least <= all.Greatest))
+  {
+    throw std::invalid_argument(
+      Text("MinimumDiameter requires a value that leaves at least one sphere, got ",
+        settings.MinimumDiameter, " with diameters up to ", largest, "."));
+  }
+  std::sort(diameters.begin(), diameters.end());
+  std::vector<double> edges = settings.Method == ModeMethod::EqualWidth
+    ? EqualWidthEdges(all, settings.NumberOfModes)
+    : settings.Method == ModeMethod::EqualVolume
+    ? EqualVolumeEdges(diameters, settings.NumberOfModes, ranks)
+    : settings.Method == ModeMethod::ExplicitEdges ? GivenEdges(all, settings.Edges)
+                                                   : SizeEdges(diameters, all, ranks);
+  edges.push_back(INFINITY);
+
+  // Of every mode: count, and sum of d^3 in units of the greatest in fixed point; the least and
+  // minus the greatest diameter
+  constexpr double scale = 0x1p50;
+  std::vector<std::int64_t> sums(3 * edges.size(), 0);
+  std::vector<double> extremes(2 * edges.size(), INFINITY);
+  auto begin = diameters.begin();
+  for (std::size_t m = 0; m < edges.size(); ++m)
+  {
+    const auto end = std::lower_bound(begin, diameters.end(), edges[m]);
+    sums[3 * m] = end - begin;
+    for (auto d = begin; d != end; ++d)
+    {
+      const double ratio = *d / all.Greatest;
+      AddWide(RoundToFixedPoint(scale * ratio * ratio * ratio), &sums[3 * m + 1]);
+    }
+    if (begin != end)
+    {
+      extremes[2 * m] = *begin;
+      extremes[2 * m + 1] = -*(end - 1);
+    }
+    begin = end;
+  }
+  ranks.Sum(sums.data(), sums.size());
+  ranks.Minimum(extremes.data(), extremes.size());
+  for (std::size_t m = 0; m < edges.size(); ++m)
+  {
+    if (sums[3 * m] == 0)
+    {
+      continue; // an empty mode
+    }
+    ModeSummary summary;
+    summary.Count = static_cast<std::size_t>(sums[3 * m]);
+    summary.MinimumDiameter = extremes[2 * m];
+    summary.MaximumDiameter = -extremes[2 * m + 1];
+    summary.Volume = SphereVolume(0.5 * all.Greatest) * (WideValue(&sums[3 * m + 1]) / scale);
+    summary.VolumeMeanDiameter =
+      2.0 * std::cbrt(summary.Volume / summary.Count / SphereVolume(1.0));
+    if (!this->Summaries.empty())
+    {
+      this->LowerEdges.push_back(summary.MinimumDiameter);
+    }
+    this->Summaries.push_back(summary);
+  }
+}
+
+int ParticleModes::ModeOf(double diameter) const
+{
+  return diameter < this->MinimumDiameter ? 0
+                                          : 1 +
+      static_cast<int>(
+        std::upper_bound(this->LowerEdges.begin(), this->LowerEdges.end(), diameter) -
+        this->LowerEdges.begin());
+}
+}

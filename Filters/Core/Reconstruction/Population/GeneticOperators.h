@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Base/Random.h"
+
+#include <vector>
+
+namespace ruc
+{
+/**
+ * The real-coded operators of the augmented simulated annealing: Michalewicz, Genetic Algorithms +
+ * Data Structures = Evolution Programs, Springer 1992; Matous, Leps, Zeman, Sejnoha, Comput.
+ * Methods Appl. Mech. Engrg. 190, 1629 (2000), the paper's reference [46].
+ *
+ * A gene is a coordinate of a sphere's centre, a chromosome x, y, z of all n spheres, bounds are
+ * those of the cell, L = 0 and U = edge. The cell is periodic and looks the same from every point:
+ *  - every result is wrapped into [0, edge);
+ *  - a mutation that moves a gene towards a bound takes the box of that edge around the gene: L and
+ *    U are half an edge away;
+ *  - an arithmetic combination goes the short way round, to the nearest image of the other gene.
+ *
+ * One gene of three thousand makes no difference that a search could feel, so where the textbook
+ * changes one gene, x_k, `spheres` of them change here: all three of a sphere, or the one that is
+ * said. They are different spheres, drawn uniformly. `spheres` lies in 1…n.
+ *
+ * Pure functions of the parents and the random numbers.
+ */
+
+using Chromosome = std::vector<double>;
+
+/** x'_k = u(L, U): the spheres go to new places. */
+Chromosome UniformMutation(
+  const Chromosome& parent, double edge, int spheres, RandomSequence& random);
+
+/** x'_k = L or U, of one coordinate a sphere, drawn by lot. L and U are one plane of the periodic
+ * cell: the coordinate becomes 0. */
+Chromosome BoundaryMutation(const Chromosome& parent, int spheres, RandomSequence& random);
+
+/** How far a mutation that is not uniform goes. */
+struct MutationRange
+{
+  double Share = 0.0; // g / G, of the generations that are over, in [0, 1]
+  double Shape = 2.0; // b
+  double Reach = 1.0; // of half an edge, in (0, 1]; 1: the textbook
+};
+
+/** x'_k = x_k + (L - x_k) f or x_k + (U - x_k) f, each as often, f = u(0, 1) (1 - g / G)^b: the
+ * spheres go less and less far. */
+Chromosome NonUniformMutation(const Chromosome& parent, double edge, int spheres,
+  const MutationRange& range, RandomSequence& random);
+
+/** The non-uniform mutation of all genes. */
+Chromosome MultiNonUniformMutation(
+  const Chromosome& parent, double edge, const MutationRange& range, RandomSequence& random);
+
+/** Spheres before a place drawn from 1…n - 1 come from one parent, the others from the other
+ * parent. */
+Chromosome SimpleCrossover(
+  const Chromosome& first, const Chromosome& second, RandomSequence& random);
+
+/** x'_k = p x_k + (1 - p) y_k, p = u(0, 1), the same for all; the other genes are those of x. */
+Chromosome SimpleArithmeticCrossover(const Chromosome& first, const Chromosome& second, double edge,
+  int spheres, RandomSequence& random);
+
+/** The arithmetic crossover of all genes. */
+Chromosome WholeArithmeticCrossover(
+  const Chromosome& first, const Chromosome& second, double edge, RandomSequence& random);
+
+/** x' = x + p (x - y), p = u(0, 1), of all genes: on from the worse parent y over the better, x. */
+Chromosome HeuristicCrossover(
+  const Chromosome& better, const Chromosome& worse, double edge, RandomSequence& random);
+}

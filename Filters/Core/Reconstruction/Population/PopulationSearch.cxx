@@ -1,0 +1,512 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Reconstruction/Population/PopulationSearch.h"
+
+#include "ruc/Base/Text.h"
+#include "ruc/Packing/MassSpring.h"
+#include "ruc/Packing/OverlapRemoval.h"
+#include "ruc/Reconstruction/CellObjective.h"
+#include "ruc/Reconstruction/CellStart.h"
+#include "ruc/Reconstruction/GradientSearch.h"
+#include "ruc/Reconstruction/Population/AnnealedSelection.h"
+#include "ruc/Reconstruction/Population/GeneticOperators.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+
+namespace ruc
+{
+namespace
+{
+// Streams of random numbers besides those of CellStart and OverlapRemoval; a sequence of the first
+// is a generation, one of the second a child of all generations
+
+struct Member
+{
+  Chromosome Centres;
+  double Objective = 0.0;
+  double OverlapPercent = 0.0;
+};
+
+// Place of a weight drawn by roulette
+int DrawOperator(const std::array<double, NumberOfGeneticOperators>& weights, double u)
+{
+  double rest = u * std::accumulate(weights.begin(), weights.end(), 0.0);
+  int last = 0;
+  for (int n = 0; n < NumberOfGeneticOperators; ++n)
+  {
+    if (weights[n] > 0.0)
+    {
+      last = n;
+      if (rest < weights[n])
+      {
+        break;
+      }
+      rest -= weights[n];
+    }
+  }
+  return last;
+}
+
+class Search
+{
+public:
+  Search(const CellContents& contents, const TwoPointProbability& target,
+    const PopulationSettings& settings, Communicator& communicator,
+    const std::function<bool(const SearchState&)>& carryOn,
+    const std::function<void(const PopulationState&)>& save)
+    : Contents(contents)
+    , Settings(settings)
+    , Target(target)
+    , Ranks(communicator)
+    , CarryOn(carryOn)
+    , Save(save)
+    , Shared(contents, target, communicator)
+    , Box(contents.MakeBox())
+  {
+    this->Shared.SetPenaltyWeight(DescentPenaltyWeight);
+    for (int thread = 0; thread < omp_get_max_threads(); ++thread)
+    {
+      this->OfThread.push_back(std::make_unique<CellObjective>(contents, target, this->Serial));
+    }
+  }
+
+  void Start()
+  {
+    std::vector<Member> members = this->MakeMembers(this->Settings.Population,
+      [&](int i) { return this->MakeFirst(static_cast<std::uint32_t>(i)); });
+    for (Member& member : members)
+    {
+      this->State.Centres.push_back(std::move(member.Centres));
+      this->State.Objective.push_back(member.Objective);
+      this->State.OverlapPercent.push_back(member.OverlapPercent);
+    }
+    this->State.First = this->Range();
+    this->State.Temperature = this->Settings.InitialTemperature;
+    this->FinishGeneration();
+  }
+
+  void Resume(const PopulationState& state)
+  {
+    const std::size_t members = this->Settings.Population;
+    const std::size_t length = 3 * std::size_t(this->Contents.NumberOfSpheres());
+    const bool fits = state.Centres.size() == members && state.Objective.size() == members &&
+      state.OverlapPercent.size() == members && !state.Convergence.empty() &&
+      std::all_of(state.Centres.begin(), state.Centres.end(),
+        [&](const Chromosome& centres) { return centres.size() == length; });
+    if (!fits)
+    {
+      throw std::invalid_argument(Text("Resuming requires a state of ", members, " members of ",
+        length / 3, " spheres, got one of ", state.Centres.size(), " members",
+        state.Centres.empty() ? std::string() : Text(" of ", state.Centres[0].size() / 3), "."));
+    }
+    this->State = state;
+  }
+
+  PopulationResult Run()
+  {
+    std::string endedBy;
+    while ((endedBy = this->FindEnd()).empty())
+    {
+      if (!this->AdvanceGeneration())
+      {
+        endedBy = "Stopped";
+        break;
+      }
+    }
+    return { this->Finish(endedBy), this->State.First, this->Range() };
+  }
+
+private:
+  // ---- Members ----
+
+  Chromosome MakeFirst(std::uint32_t number) const
+  {
+    const bool random =
+      number < std::lround(this->Settings.RandomShare * this->Settings.Population);
+    return random ? RandomCentres(this->Contents, this->Settings.Seed, number)
+                  : DepositBallistically(this->Contents.Radii(), this->Contents.Edge,
+                      this->Settings.Seed, number, this->Settings.DepositionDegree)
+                      .Centres;
+  }
+
+  // `number` members, the n-th made by make(n) and evaluated by one thread of rank n % ranks; then
+  // on all ranks
+  template <class Make>
+  std::vector<Member> MakeMembers(int number, Make&& make)
+  {
+    const std::size_t length = 3 * std::size_t(this->Contents.NumberOfSpheres());
+    const std::size_t stride = length + 2;
+    std::vector<double> numbers(number * stride, 0.0);
+    const int rank = this->Ranks.Rank(), ranks = this->Ranks.Size();
+#pragma omp parallel for schedule(dynamic) num_threads(this->OfThread.size())
+    for (int n = rank; n < number; n += ranks)
+    {
+      double* place = &numbers[n * stride];
+      const Chromosome centres = make(n);
+      std::copy(centres.begin(), centres.end(), place);
+      this->Evaluate(centres, place[length], place[length + 1]);
+    }
+    this->Ranks.Share(numbers.data(), numbers.size());
+    std::vector<Member> members(number);
+    for (int n = 0; n < number; ++n)
+    {
+      const double* place = &numbers[n * stride];
+      members[n] = { Chromosome(place, place + length), place[length], place[length + 1] };
+    }
+    return members;
+  }
+
+  void Evaluate(const Chromosome& centres, double& objective, double& overlapPercent)
+  {
+    CellObjective& evaluator = *this->OfThread[omp_get_thread_num()];
+    objective = evaluator.Evaluate(centres.data(), nullptr).TwoPoint;
+    overlapPercent = MeasureOverlap(this->Contents.MakePack(centres.data()), this->Box).Percent;
+  }
+
+  ObjectiveRange Range() const
+  {
+    const std::vector<double>& f2 = this->State.Objective;
+    const auto [low, high] = std::minmax_element(f2.begin(), f2.end());
+    return { *low, std::accumulate(f2.begin(), f2.end(), 0.0) / f2.size(), *high };
+  }
+
+  std::vector<double> FitnessOfAll() const
+  {
+    return this->State.Fitness(this->Settings.HalfOverlap);
+  }
+
+  int BestMember() const
+  {
+    return RankByFitness(this->FitnessOfAll()).front();
+  }
+
+  // ---- Generations ----
+
+  // Returns false when a rank wished to stop on the way; the state is that of the last generation
+  // then
+  bool AdvanceGeneration()
+  {
+    const double before = this->FitnessOfAll()[this->BestMember()];
+    bool poolRests = false;
+    if (this->Settings.RefinementSteps > 0 && !this->RefineBest(poolRests))
+    {
+      return false;
+    }
+    if (!poolRests && !this->Breed())
+    {
+      return false;
+    }
+    const double after = this->FitnessOfAll()[this->BestMember()];
+    this->State.Stagnation = after < before ? 0 : this->State.Stagnation + 1;
+    this->State.Temperature *= this->Settings.CoolingFactor;
+    if (this->State.Stagnation > 0 &&
+      this->State.Stagnation % this->Settings.ReheatingGenerations == 0)
+    {
+      this->State.Temperature = this->Settings.InitialTemperature;
+    }
+    ++this->State.Generation;
+    this->FinishGeneration();
+    return true;
+  }
+
+  // Select, alter and replace: Algorithm 1
+  bool Breed()
+  {
+    const std::vector<double> fitness = this->FitnessOfAll();
+    RandomSequence random(this->Settings.Seed, RandomStream::MatingPool, this->State.Generation);
+    const std::vector<int> pool = DrawMatingPool(
+      RankByFitness(fitness), this->Settings.MatingPool, this->Settings.SelectionPressure, random);
+    std::vector<int> mates;
+    for (int parent : pool)
+    {
+      mates.push_back(this->DrawMate(parent, pool, random));
+    }
+    std::vector<Member> children = this->MakeMembers(this->Settings.MatingPool,
+      [&](int j) { return this->MakeChild(j, pool[j], mates[j], fitness); });
+    for (Member& child : children)
+    {
+      if (this->Settings.RefinementSteps > 0 && !this->Refine(child))
+      {
+        return false;
+      }
+    }
+    for (std::size_t j = 0; j < children.size(); ++j)
+    {
+      this->Compete(children[j], pool[j], random.Next());
+    }
+    return true;
+  }
+
+  // Of the pool, or of all where the pool is one member
+  int DrawMate(int parent, const std::vector<int>& pool, RandomSequence& random) const
+  {
+    const int number = static_cast<int>(pool.size() > 1 ? pool.size() : this->State.Centres.size());
+    int mate = parent;
+    while (mate == parent)
+    {
+      const int place = random.NextIndex(number);
+      mate = pool.size() > 1 ? pool[place] : place;
+    }
+    return mate;
+  }
+
+  Chromosome MakeChild(int child, int parent, int mate, const std::vector<double>& fitness) const
+  {
+    RandomSequence random(this->Settings.Seed, RandomStream::MutationOperator,
+      std::uint64_t(this->State.Generation) * this->Settings.MatingPool + child);
+    Chromosome centres = this->Alter(parent, mate, fitness, random);
+    if (random.Next() < this->Settings.MassSpringProbability)
+    {
+      SpherePack pack = this->Contents.MakePack(centres.data());
+      MoveBySpringsUntilFree(pack, this->Box, this->Settings.Seed);
+      centres = CentresOf(pack);
+    }
+    return centres;
+  }
+
+  Chromosome Alter(
+    int parent, int mate, const std::vector<double>& fitness, RandomSequence& random) const
+  {
+    const Chromosome& x = this->State.Centres[parent];
+    const Chromosome& y = this->State.Centres[mate];
+    const double edge = this->Contents.Edge;
+    const int all = this->Contents.NumberOfSpheres();
+    const int some = std::clamp<int>(std::lround(this->Settings.MutatedShare * all), 1, all);
+    const MutationRange range = {
+      std::min(double(this->State.Generation) / this->Settings.MutationGenerations, 1.0),
+      this->Settings.MutationShape, this->Settings.MutationReach
+    };
+    switch (
+      static_cast<GeneticOperator>(DrawOperator(this->Settings.OperatorWeights, random.Next())))
+    {
+      case GeneticOperator::UniformMutation:
+        return UniformMutation(x, edge, some, random);
+      case GeneticOperator::BoundaryMutation:
+        return BoundaryMutation(x, some, random);
+      case GeneticOperator::NonUniformMutation:
+        return NonUniformMutation(x, edge, some, range, random);
+      case GeneticOperator::MultiNonUniformMutation:
+        return MultiNonUniformMutation(x, edge, range, random);
+      case GeneticOperator::SimpleCrossover:
+        return SimpleCrossover(x, y, random);
+      case GeneticOperator::SimpleArithmeticCrossover:
+        return SimpleArithmeticCrossover(x, y, edge, some, random);
+      case GeneticOperator::WholeArithmeticCrossover:
+        return WholeArithmeticCrossover(x, y, edge, random);
+      case GeneticOperator::HeuristicCrossover:
+        break;
+    }
+    return fitness[parent] <= fitness[mate] ? HeuristicCrossover(x, y, edge, random)
+                                            : HeuristicCrossover(y, x, edge, random);
+  }
+
+  // Lets a child take its parent's place, `u` being drawn
+  void Compete(Member& child, int parent, double u)
+  {
+    const std::vector<double> fitness = this->FitnessOfAll();
+    const int best = RankByFitness(fitness).front();
+    const double own = Fitness(
+      child.Objective, this->State.First.Maximum, child.OverlapPercent, this->Settings.HalfOverlap);
+    const bool accepted = u < AcceptanceProbability(own, fitness[parent], this->State.Temperature);
+    if (own < fitness[best] || (accepted && parent != best))
+    {
+      this->State.Centres[parent] = std::move(child.Centres);
+      this->State.Objective[parent] = child.Objective;
+      this->State.OverlapPercent[parent] = child.OverlapPercent;
+      if (parent == this->State.Descending)
+      {
+        this->State.Descending = -1;
+      }
+    }
+  }
+
+  // ---- Refinement by gradient, all ranks together ----
+
+  // RefinementSteps of a descent, and the place freed from overlap as a member. Returns false when
+  // a rank wished to stop.
+  bool Refine(DescentState& descent, Member& member)
+  {
+    DescentSettings settings;
+    settings.FirstStep = FirstStepOf(this->Contents);
+    const int end = descent.Iterations + this->Settings.RefinementSteps;
+    bool stopped = false;
+    Descend(
+      descent, settings,
+      [&](const double* place, double* gradient, double& value)
+      {
+        value = this->Shared.Evaluate(place, gradient, &this->Wish).Total();
+        stopped = this->Wish > 0;
+        this->Wish = 0;
+        return !stopped;
+      },
+      [&](const DescentState& now)
+      {
+        this->Ask(this->State.Convergence.back());
+        return now.Iterations < end;
+      });
+    if (stopped)
+    {
+      return false;
+    }
+    SpherePack pack = this->Contents.MakePack(descent.Place.data());
+    RemoveOverlap(pack, this->Box, this->Settings.Seed, []() { return true; });
+    member.Centres = CentresOf(pack);
+    member.Objective = this->Shared.Evaluate(member.Centres.data(), nullptr).TwoPoint;
+    member.OverlapPercent = MeasureOverlap(pack, this->Box).Percent;
+    return true;
+  }
+
+  bool Refine(Member& member)
+  {
+    DescentState descent;
+    descent.Place = member.Centres;
+    return this->Refine(descent, member);
+  }
+
+  // The best member's, at first that of the random start of SearchByGradient, so that the hybrid
+  // goes the same way as long as that goes down; the pool rests as long as that is worth more than
+  // children
+  bool RefineBest(bool& poolRests)
+  {
+    const int best = this->State.Generation == 0 ? 0 : this->BestMember();
+    DescentState descent;
+    if (best == this->State.Descending)
+    {
+      descent = this->State.Descent;
+    }
+    else
+    {
+      SpherePack pack = this->Contents.MakePack(this->State.Centres[best].data());
+      RemoveOverlap(pack, this->Box, this->Settings.Seed, []() { return true; });
+      descent.Place = CentresOf(pack);
+    }
+    Member refined;
+    if (!this->Refine(descent, refined))
+    {
+      return false;
+    }
+    const double worthwhile =
+      LeastProgress * this->Settings.RefinementSteps / IterationsBetweenKept;
+    poolRests = refined.Objective < (1.0 - worthwhile) * this->State.Objective[best];
+    this->Compete(refined, best, 1.0);
+    this->State.Descending = best;
+    this->State.Descent = std::move(descent);
+    return true;
+  }
+
+  // ---- The end ----
+
+  void Ask(const SearchState& state)
+  {
+    if (!this->CarryOn(state))
+    {
+      this->Wish = 1;
+    }
+  }
+
+  void FinishGeneration()
+  {
+    const int best = this->BestMember();
+    this->State.Convergence.push_back({ AnnealingPopulation, this->State.Generation,
+      this->State.Objective[best], this->State.OverlapPercent[best] });
+    this->Ask(this->State.Convergence.back());
+    this->Ranks.Sum(&this->Wish, 1);
+    this->Stopped = this->Wish > 0;
+    this->Wish = 0;
+    if (this->Save)
+    {
+      this->Save(this->State);
+    }
+  }
+
+  // What ends the search, or an empty text
+  std::string FindEnd()
+  {
+    const int best = this->BestMember();
+    if (this->State.OverlapPercent[best] == 0.0 &&
+      this->State.Objective[best] <= this->Settings.TargetObjective &&
+      this->FreeBest().Objective <= this->Settings.TargetObjective)
+    {
+      return "Target objective";
+    }
+    if (this->Stopped)
+    {
+      return "Stopped";
+    }
+    if (this->State.Generation >= this->Settings.MaximumGenerations)
+    {
+      return "Maximum iterations";
+    }
+    return this->State.Stagnation >= this->Settings.PatienceGenerations ? "Converged" : "";
+  }
+
+  UnitCell FreeBest()
+  {
+    const Chromosome& centres = this->State.Centres[this->BestMember()];
+    return FinishUnitCell(this->Contents.MakePack(centres.data()), this->Box, this->Target,
+      this->Settings.Seed, this->Ranks, []() { return true; });
+  }
+
+  UnitCell Finish(const std::string& endedBy)
+  {
+    UnitCell cell = this->FreeBest();
+    cell.StartObjective = this->State.First.Mean;
+    cell.Convergence = this->State.Convergence;
+    cell.Iterations = static_cast<int>(cell.Convergence.size());
+    cell.Convergence.push_back(
+      { RemovingOverlap, cell.Iterations, cell.Objective, cell.Overlap.Percent });
+    cell.EndedBy = endedBy;
+    return cell;
+  }
+
+  const CellContents& Contents;
+  const PopulationSettings& Settings;
+  const TwoPointProbability& Target;
+  Communicator& Ranks;
+  const std::function<bool(const SearchState&)>& CarryOn;
+  const std::function<void(const PopulationState&)>& Save;
+  CellObjective Shared; // evaluates one cell on all ranks
+  Window Box;
+  Communicator Serial;
+  std::vector<std::unique_ptr<CellObjective>> OfThread; // each one cell on one thread
+  PopulationState State;
+  std::int64_t Wish = 0; // to stop, of this rank
+  bool Stopped = false;  // agreed by all ranks
+};
+}
+
+std::vector<double> PopulationState::Fitness(double halfOverlap) const
+{
+  std::vector<double> fitness;
+  for (std::size_t i = 0; i < this->Objective.size(); ++i)
+  {
+    fitness.push_back(
+      ruc::Fitness(this->Objective[i], this->First.Maximum, this->OverlapPercent[i], halfOverlap));
+  }
+  return fitness;
+}
+
+PopulationResult SearchByPopulation(const CellContents& contents, const TwoPointProbability& target,
+  const PopulationSettings& settings, Communicator& communicator,
+  const std::function<bool(const SearchState&)>& carryOn, const PopulationState* resume,
+  const std::function<void(const PopulationState&)>& save)
+{
+  CheckSettings(settings);
+  Search search(contents, target, settings, communicator, carryOn, save);
+  if (resume)
+  {
+    search.Resume(*resume);
+  }
+  else
+  {
+    search.Start();
+  }
+  return search.Run();
+}
+}

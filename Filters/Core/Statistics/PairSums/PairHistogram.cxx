@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Statistics/PairSums/PairHistogram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ruc
+{
+PairHistogram::PairHistogram(
+  std::vector<SphereType> types, const LagGrid& lags, const KnotResolution& resolution)
+  : Types(std::move(types))
+{
+  const int count = this->NumberOfTypes();
+  double largest = 0.0;
+  for (const SphereType& type : this->Types)
+  {
+    largest = std::max(largest, type.Radius);
+  }
+  this->Cutoff = lags.Maximum() + 2.0 * largest;
+  this->Lookups.resize(count * count);
+  this->ClassBegin.push_back(0);
+  for (int p = 0; p < count; ++p)
+  {
+    for (int q = p; q < count; ++q)
+    {
+      this->Kernels.emplace_back(
+        this->Types[p].Radius, this->Types[q].Radius, lags, this->Cutoff, resolution);
+      const PairKernel& kernel = this->Kernels.back();
+      for (int place : { p * count + q, q * count + p })
+      {
+        this->Lookups[place] = { 1.0 / kernel.Spacing, -kernel.First / kernel.Spacing,
+          static_cast<std::int32_t>(this->ClassBegin.back()) };
+      }
+      this->ClassTypes.emplace_back(p, q);
+      this->ClassBegin.push_back(this->ClassBegin.back() + kernel.Size());
+    }
+  }
+}
+
+double PairHistogram::EstimateSize(const std::vector<SphereType>& types, const LagGrid& lags)
+{
+  double numbers = 0.0;
+  for (const SphereType& a : types)
+  {
+    for (const SphereType& b : types)
+    {
+      const double spacing = PairKernel::KnotSpacing(std::min(a.Radius, b.Radius), lags);
+      numbers += (lags.Maximum() + a.Radius + b.Radius) /
+        spacing; // half of two numbers a knot: classes are unordered
+    }
+  }
+  return numbers;
+}
+
+double PairHistogram::FixedPointScale(
+  std::int64_t spheres, std::int64_t mostNeighbours, double heaviest)
+{
+  const double most = heaviest * static_cast<double>(spheres) * static_cast<double>(mostNeighbours);
+  return std::ldexp(1.0, std::min(61 - std::ilogb(most), 49 - std::ilogb(heaviest)));
+}
+}

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Particles/CellList.h"
+#include "ruc/Statistics/PairSums/PairKernel.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace ruc
+{
+/** What the spheres of one size in one mode have in common. */
+struct SphereType
+{
+  int Mode;
+  double Radius;
+
+  bool operator<(const SphereType& other) const
+  {
+    return this->Mode != other.Mode ? this->Mode < other.Mode : this->Radius < other.Radius;
+  }
+  bool operator==(const SphereType& other) const
+  {
+    return this->Mode == other.Mode && this->Radius == other.Radius;
+  }
+};
+
+/**
+ * Histogram of the pair distances of a pack for every class of pairs, a class being an unordered
+ * pair of sphere types.
+ *
+ * A pair adds the four Hermite weights of its distance to the knots of its class (PairKernel), as
+ * integers in fixed point; sums over pairs are then exact, and the same in whatever order and on
+ * however many threads and ranks they are taken.
+ */
+class PairHistogram
+{
+public:
+  PairHistogram(std::vector<SphereType> types, const LagGrid& lags,
+    const KnotResolution& resolution = ExactKnots);
+
+  int NumberOfTypes() const { return static_cast<int>(this->Types.size()); }
+  int NumberOfClasses() const { return static_cast<int>(this->Kernels.size()); }
+  const PairKernel& Kernel(int pairClass) const { return this->Kernels[pairClass]; }
+  /** Place of a class's first number in a histogram, or in any function on the knots of all
+   * classes. */
+  std::size_t Begin(int pairClass) const { return this->ClassBegin[pairClass]; }
+  /** Numbers in a histogram. */
+  std::size_t Size() const { return this->ClassBegin.back(); }
+  /** The lower and the higher type of a class. */
+  const SphereType& LowerType(int pairClass) const
+  {
+    return this->Types[this->ClassTypes[pairClass].first];
+  }
+  const SphereType& HigherType(int pairClass) const
+  {
+    return this->Types[this->ClassTypes[pairClass].second];
+  }
+
+  /** Pairs further apart than this have no overlap at any lag. */
+  double GetCutoff() const { return this->Cutoff; }
+
+  /** Numbers that a histogram for these types would have, without making its tables: to decide
+   * whether there are few enough. */
+  static double EstimateSize(const std::vector<SphereType>& types, const LagGrid& lags);
+
+  /**
+   * The largest power of two by which weights up to `heaviest` may be scaled to integers: no sum
+   * over `spheres` spheres of up to `mostNeighbours` pairs each reaches 2^62, and no single weight
+   * 2^50.
+   */
+  static double FixedPointScale(std::int64_t spheres, std::int64_t mostNeighbours, double heaviest);
+
+  /** Where the hot loops find a distance: at knot floor(u) with u = distance x InverseSpacing +
+   * Shift. */
+  struct alignas(32) Lookup
+  {
+    double InverseSpacing, Shift;
+    std::int32_t Begin;
+  };
+  /** One for every other type. */
+  const Lookup* LookupRow(int type) const
+  {
+    return &this->Lookups[std::size_t(type) * this->Types.size()];
+  }
+
+private:
+  std::vector<SphereType> Types;
+  std::vector<PairKernel> Kernels;
+  std::vector<std::pair<int, int>> ClassTypes;
+  std::vector<std::size_t> ClassBegin;
+  std::vector<Lookup> Lookups;
+  double Cutoff;
+};
+}

@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Statistics/PairSums/ProbabilityMap.h"
+
+#include "ruc/Base/FixedPointSums.h"
+#include "ruc/Base/Text.h"
+#include "ruc/Base/Vector3.h"
+#include "ruc/Base/VectorClones.h"
+#include "ruc/Particles/SphereOverlap.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
+#include "ruc/Statistics/PairSums/WeightedPairs.h"
+#include "ruc/Statistics/Results/OnePointProbability.h"
+#include "ruc/Statistics/Results/TwoPointProbability.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+
+namespace ruc
+{
+namespace
+{
+constexpr double MostNumbers = 5e7; // of all images, 400 MB
+constexpr int Lanes = 8;            // numbers of a row taken together
+
+/** The half of a cubic grid that a map is made of, as slices k = 0…Half: of all of them but k = 0,
+ * where rows j > 0 are the mirror images of those j < 0 and stay empty. */
+struct HalfGrid
+{
+  int Half;
+
+  std::size_t Row() const { return 2 * static_cast<std::size_t>(this->Half) + 1; }
+  std::size_t Slice() const { return this->Row() * this->Row(); }
+};
+
+/** The slices of a thread, every Stride-th, of images that follow each other. */
+struct Images
+{
+  std::int64_t* Sums;
+  int FirstSlice, Stride;
+  std::size_t SizeOfImage;
+};
+
+/** The voxels of a ball, row after row, in buffers that are large enough for every ball. */
+struct Ball
+{
+  Ball(double contact, const HalfGrid& grid)
+  {
+    const double edge = std::min(2.0 * contact + 2.0, double(grid.Row()));
+    this->Rows.resize(static_cast<std::size_t>(edge * edge));
+    this->Squares.resize(static_cast<std::size_t>(edge * edge * edge) + Lanes);
+    this->Overlap.resize(this->Squares.size());
+  }
+
+  struct Row
+  {
+    std::size_t First; // voxel of an image
+    int Count;
+  };
+  std::size_t NumberOfRows = 0, Size = 0;
+  std::vector<Row> Rows;
+  std::vector<double> Squares; // of the distances from the centre
+  std::vector<std::int64_t> Overlap;
+};
+
+// Finds the voxels closer to d than `contact` in the slices of a thread. Lengths are in units of
+// the spacing.
+RUC_VECTOR_CLONES // for rounding without calls
+  void
+  FindBall(double contact, const Vector3& d, const HalfGrid& grid, const Images& images, Ball& ball)
+{
+  Ball::Row* row = ball.Rows.data();
+  double* squares = ball.Squares.data();
+  const double contact2 = contact * contact, most = grid.Half;
+  // In double until it is known to be in the grid, or next to it
+  const auto first = [&](double low, double least)
+  { return static_cast<int>(std::min(std::max(std::ceil(low), least), most + 1.0)); };
+  const auto last = [&](double high)
+  { return static_cast<int>(std::max(std::min(std::floor(high), most), -most - 1.0)); };
+  const int lastSlice = last(d[2] + contact);
+  int k = first(d[2] - contact, 0.0);
+  k += ((images.FirstSlice - k) % images.Stride + images.Stride) % images.Stride;
+  for (; k <= lastSlice; k += images.Stride)
+  {
+    const double z2 = (d[2] - k) * (d[2] - k);
+    const double sliceRadius = std::sqrt(std::max(contact2 - z2, 0.0));
+    const int lastRow = k > 0 ? last(d[1] + sliceRadius) : std::min(last(d[1] + sliceRadius), 0);
+    for (int j = first(d[1] - sliceRadius, -most); j <= lastRow; ++j)
+    {
+      const double across2 = (d[1] - j) * (d[1] - j) + z2;
+      const double chord = std::sqrt(std::max(contact2 - across2, 0.0));
+      const int begin = first(d[0] - chord, -most), end = last(d[0] + chord) + 1;
+      if (begin < end)
+      {
+        *row++ = { static_cast<std::size_t>(k / images.Stride) * grid.Slice() +
+            (j + grid.Half) * grid.Row() + (begin + grid.Half),
+          end - begin };
+        // Whole vectors at a time; the next row overwrites what is too much
+        for (int i = begin; i < end; i += Lanes)
+        {
+          for (int lane = 0; lane < Lanes; ++lane)
+          {
+            const double x = d[0] - (i + lane);
+            squares[i - begin + lane] = across2 + x * x;
+          }
+        }
+        squares += end - begin;
+      }
+    }
+  }
+  ball.NumberOfRows = row - ball.Rows.data();
+  ball.Size = squares - ball.Squares.data();
+}
+
+// factor x V(sqrt(square)) as integers
+RUC_VECTOR_CLONES
+void FindOverlap(const LensFormula& lens, double factor, const double* squares, std::size_t count,
+  std::int64_t* overlap)
+{
+  const LensFormula volume = lens;
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    overlap[n] = RoundToFixedPoint(factor * volume(std::sqrt(squares[n])));
+  }
+}
+
+// Adds factor x V(|d - x|), `multiple[m]` times to image m, to the voxels x of a thread that are in
+// the half grid
+void AddBall(const LensFormula& lens, const Vector3& d, double factor, const HalfGrid& grid,
+  const Images& images, const std::vector<std::int64_t>& multiple, Ball& ball)
+{
+  FindBall(lens.Contact, d, grid, images, ball);
+  FindOverlap(lens, factor, ball.Squares.data(), ball.Size, ball.Overlap.data());
+  for (std::size_t image = 0; image < multiple.size(); ++image)
+  {
+    const std::int64_t m = multiple[image];
+    const std::int64_t* overlap = ball.Overlap.data();
+    for (std::size_t n = 0; m > 0 && n < ball.NumberOfRows; ++n)
+    {
+      const Ball::Row& row = ball.Rows[n];
+      std::int64_t* sums = images.Sums + image * images.SizeOfImage + row.First;
+      for (int i = 0; i < row.Count; ++i)
+      {
+        sums[i] += m * overlap[i];
+      }
+      overlap += row.Count;
+    }
+  }
+}
+
+// How often the overlap of an unordered pair of spheres, of modes a and b, counts in what is summed
+// for S_rs: S_rs itself for two modes, all of them with r for (r, m), all there are for (m, m)
+int MultipleOf(const std::array<int, 2>& phases, int a, int b, int matrix)
+{
+  const int r = std::min(phases[0], phases[1]), s = std::max(phases[0], phases[1]);
+  if (r == matrix)
+  {
+    return 2;
+  }
+  if (s == matrix)
+  {
+    return (a == r) + (b == r);
+  }
+  return r == s ? 2 * (a == r && b == r) : (std::min(a, b) == r && std::max(a, b) == s);
+}
+
+void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pairs, double spacing,
+  double reach)
+{
+  const int matrix = share.NumberOfModes();
+  if (pairs.empty())
+  {
+    throw std::invalid_argument("ImagePairs requires at least one pair of phases, got none.");
+  }
+  for (const std::array<int, 2>& pair : pairs)
+  {
+    for (int phase : pair)
+    {
+      if (phase < 0 || phase > matrix)
+      {
+        throw std::invalid_argument(
+          Text("ImagePairs requires phases from 0 to ", matrix, " (the matrix), got ", phase, "."));
+      }
+    }
+  }
+  if (!(spacing > 0.0 && std::isfinite(spacing)))
+  {
+    throw std::invalid_argument(
+      Text("ImageSpacing requires a finite number > 0, got ", spacing, "."));
+  }
+  const double largest = LargestMapReach(share.LargestRadius, share.Observed);
+  if (!(largest > 0.0))
+  {
+    throw std::invalid_argument(
+      Text("The window requires edges longer than the largest sphere's diameter, ",
+        2.0 * share.LargestRadius, ", got a ", share.Observed.Describe(), "."));
+  }
+  if (!(reach > 0.0 && reach <= largest * (1.0 + 1e-12)))
+  {
+    throw std::invalid_argument(Text("ImageSpacing x ImageResolution requires a length > 0 and <= ",
+      largest, " for this ", share.Observed.Describe(), " and spheres of up to ",
+      2.0 * share.LargestRadius, " diameter, got ", reach, "."));
+  }
+  const double most = std::floor(0.5 * (std::cbrt(MostNumbers / pairs.size()) - 1.0));
+  const double half = std::floor(reach / spacing * (1.0 + 1e-12));
+  if (half > most)
+  {
+    throw std::invalid_argument(Text("ImageResolution requires at most ", most, " for ",
+      pairs.size(), " pairs of phases, got ", half, "."));
+  }
+}
+}
+
+double LargestMapReach(double largestRadius, const Window& window)
+{
+  if (window.GetShape() == Window::Shape::Box)
+  {
+    return ExactPairSum::LargestLag(largestRadius, window);
+  }
+  // The corners of the cube reach farthest, along the axis and across it
+  double along = 0.0, across = 0.0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double a = std::abs(window.Axis[0] + (corner & 1 ? -1.0 : 1.0) * window.Axis[1] +
+      (corner & 2 ? -1.0 : 1.0) * window.Axis[2]);
+    along = std::max(along, a);
+    across = std::max(across, std::sqrt(std::max(3.0 - a * a, 0.0)));
+  }
+  return 0.999 *
+    std::min((window.Height - 2.0 * largestRadius) / along,
+      2.0 * (window.Radius - largestRadius) / across);
+}
+
+ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int, 2>>& pairs,
+  double spacing, double reach, Communicator& ranks, const std::function<void(double)>& progress)
+{
+  CheckMap(share, pairs, spacing, reach);
+  const int modes = share.NumberOfModes();
+  const HalfGrid grid = { static_cast<int>(reach / spacing * (1.0 + 1e-12)) };
+  const int slices = grid.Half + 1;
+  const double cube = grid.Half * spacing, rim = 2.0 * share.LargestRadius;
+  const WeightedPairs weighted(
+    share, std::sqrt(3.0) * cube + rim, ranks, "ImageSpacing x ImageResolution", cube, rim);
+  const double unit = SphereVolume(share.LargestRadius);
+  const double scale = weighted.Scale / unit * (Pi / 12.0) * spacing * spacing * spacing;
+
+  // How often two modes, or a sphere with itself, count in every image
+  std::vector<std::vector<std::int64_t>> multiples(modes * modes), selfMultiples(modes);
+  for (const std::array<int, 2>& pair : pairs)
+  {
+    for (int a = 0; a < modes; ++a)
+    {
+      for (int b = 0; b < modes; ++b)
+      {
+        multiples[a * modes + b].push_back(MultipleOf(pair, a, b, modes));
+      }
+      selfMultiples[a].push_back(MultipleOf(pair, a, a, modes) / 2);
+    }
+  }
+
+  const std::size_t sizeOfImage = slices * grid.Slice();
+  std::vector<std::int64_t> sums(2 * sizeOfImage * pairs.size(), 0);
+  // Every thread goes through all pairs and takes slices of its own: no thread needs another image
+#pragma omp parallel
+  {
+    const int stride = omp_get_num_threads(), first = omp_get_thread_num();
+    const int ownSlices = first < slices ? (slices - 1 - first) / stride + 1 : 0;
+    const std::size_t ownSize = ownSlices * grid.Slice();
+    FixedPointSums own(ownSize * pairs.size());
+    Ball ball(2.0 * share.LargestRadius / spacing, grid);
+    const std::size_t centres = ownSlices > 0 ? weighted.Pairs.Size() : 0;
+    for (std::size_t begin = 0; begin < centres; begin += weighted.Step)
+    {
+      const std::size_t end = std::min(begin + weighted.Step, centres);
+      const Images images = { own.Take(weighted.Terms), first, stride, ownSize };
+      for (std::size_t place = begin; place < end; ++place)
+      {
+        const std::size_t i = weighted.Pairs.Own().Index[place];
+        const double radius = share.Own.Radius[i] / spacing;
+        AddBall(LensFormula(radius, radius), { 0.0, 0.0, 0.0 }, scale, grid, images,
+          selfMultiples[share.Own.Mode[i] - 1], ball);
+      }
+      weighted.ForEach(begin, end,
+        [&](std::size_t i, const PairNeighbourhood::Part& part, std::size_t j, const Vector3& d,
+          double, double weight)
+        {
+          const LensFormula lens(share.Own.Radius[i] / spacing, part.Pack.Radius[j] / spacing);
+          const std::vector<std::int64_t>& multiple =
+            multiples[(share.Own.Mode[i] - 1) * modes + part.Pack.Mode[j] - 1];
+          const double factor = 0.5 * scale * weight;
+          for (double sign : { 1.0, -1.0 })
+          {
+            const double x = sign / spacing;
+            const Vector3 lag = { x * d[0], x * d[1], x * d[2] };
+            if (lag[2] + lens.Contact > 0.0)
+            {
+              AddBall(lens, lag, factor, grid, images, multiple, ball);
+            }
+          }
+        });
+      if (progress && first == 0)
+      {
+        progress(double(end) / centres);
+      }
+    }
+    const std::vector<std::int64_t>& wide = own.Finish();
+    for (std::size_t image = 0; image < pairs.size(); ++image)
+    {
+      for (int slice = 0; slice < ownSlices; ++slice)
+      {
+        const auto from = wide.begin() + 2 * (image * ownSize + slice * grid.Slice());
+        std::copy(from, from + 2 * grid.Slice(),
+          sums.begin() + 2 * (image * sizeOfImage + (first + slice * stride) * grid.Slice()));
+      }
+    }
+  }
+  ranks.Sum(sums.data(), sums.size());
+
+  ProbabilityMap map = { { grid.Half, grid.Half, grid.Half }, spacing, pairs, {} };
+  const std::vector<double> fractions = OnePointProbability(share);
+  const std::size_t voxels = map.Voxels(), centre = voxels / 2;
+  const double volumes = unit / (weighted.Scale * share.Observed.Volume());
+  for (std::size_t image = 0; image < pairs.size(); ++image)
+  {
+    const int r = std::min(pairs[image][0], pairs[image][1]);
+    const int s = std::max(pairs[image][0], pairs[image][1]);
+    // S_rm = c_r - sum over s of S_rs, S_mm = 1 - 2 sum over r of c_r + sum over r, s of S_rs
+    const double constant = s < modes ? 0.0
+      : r < modes                     ? fractions[r]
+                                      : 2.0 * fractions[modes] - 1.0;
+    const double factor = s == modes && r < modes ? -volumes : volumes;
+    std::vector<double> values(voxels);
+    // From the rows of the half grid up to the middle one, j < 0 first in slice 0
+    for (std::size_t v = 0; v < sizeOfImage; ++v)
+    {
+      const std::size_t inSlice = v % grid.Slice();
+      if (v >= grid.Slice() || inSlice / grid.Row() <= static_cast<std::size_t>(grid.Half))
+      {
+        const std::size_t place = centre - grid.Slice() / 2 + v;
+        const double value = constant + factor * WideValue(&sums[2 * (image * sizeOfImage + v)]);
+        values[place] = value;
+        values[voxels - 1 - place] = value;
+      }
+    }
+    map.Values.push_back(std::move(values));
+  }
+  return map;
+}
+}

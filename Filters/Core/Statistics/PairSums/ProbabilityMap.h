@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Base/Communicator.h"
+#include "ruc/Particles/PackShare.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace ruc
+{
+/** S_rs(x) on the lag vectors x = (i, j, k) Spacing, i = -Half[0]…Half[0] and so on: 2 Half + 1
+ * values an axis, x fastest. */
+struct ProbabilityMap
+{
+  std::array<int, 3> Half;
+  double Spacing;
+  std::vector<std::array<int, 2>> Pairs; // phases counted from 0, the matrix is the number of modes
+  std::vector<std::vector<double>> Values; // of every one of these pairs
+
+  std::size_t Voxels() const
+  {
+    return (2 * std::size_t(this->Half[0]) + 1) * (2 * std::size_t(this->Half[1]) + 1) *
+      (2 * std::size_t(this->Half[2]) + 1);
+  }
+  /** Place of a lag vector in an array of values. */
+  std::size_t PlaceOf(int i, int j, int k) const
+  {
+    const std::size_t row = 2 * std::size_t(this->Half[0]) + 1;
+    const std::size_t slice = row * (2 * std::size_t(this->Half[1]) + 1);
+    return (k + this->Half[2]) * slice + (j + this->Half[1]) * row + (i + this->Half[0]);
+  }
+};
+
+/**
+ * The largest reach of a map. Every pair with a displacement closer than a diameter to a lag vector
+ * of the map, so to a cube of half edge `reach`, must have a place in the window, with some weight
+ * left: 0.999 of
+ *   - the shortest non-periodic edge less the largest diameter for a box;
+ *   - for a cylinder of axis u the lesser of (height - diameter) / (|u_x| + |u_y| + |u_z|) and
+ *     (2 radius - diameter) / (the largest distance of a corner of the cube of half edge 1 from the
+ *     axis), upright that is sqrt(2);
+ * four times the shortest edge where all axes are periodic.
+ */
+double LargestMapReach(double largestRadius, const Window& window);
+
+/**
+ * Exact S_rs(x) of a pack of spheres, as SumPairsAlong has it along a direction, symmetrised over x
+ * and -x: the map is even, exactly, and S_rs = S_sr. Pairs with the matrix follow from those of the
+ * particles as in TwoPointProbability::CompleteMatrix. Half is floor(reach / spacing) along all
+ * axes.
+ *
+ * Collective; the result is equal, bit by bit, on every rank and for any number of ranks and
+ * threads. `progress` is told the share that is done, on the calling thread.
+ * Throws std::invalid_argument, the same on every rank, for pairs of phases that do not exist or
+ * none, spacing or reach that are not finite and > 0, a reach above LargestMapReach, and for more
+ * than 5e7 numbers (voxels x pairs).
+ */
+ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int, 2>>& pairs,
+  double spacing, double reach, Communicator& ranks,
+  const std::function<void(double)>& progress = {});
+}

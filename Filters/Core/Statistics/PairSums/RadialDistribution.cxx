@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Statistics/PairSums/RadialDistribution.h"
+
+#include "ruc/Base/FixedPointSums.h"
+#include "ruc/Base/Text.h"
+#include "ruc/Particles/SphereOverlap.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
+#include "ruc/Statistics/PairSums/WeightedPairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace ruc
+{
+namespace
+{
+void CheckReach(const LagGrid& lags, const Window& window)
+{
+  // r_K + Spacing / 2 = r_K (1 + 1 / 2K) is the last distance
+  const double largest = ExactPairSum::LargestLag(0.0, window) / (1.0 + 0.5 / lags.Count);
+  if (!(lags.Maximum() > 0.0 && lags.Maximum() <= largest * (1.0 + 1e-12)))
+  {
+    throw std::invalid_argument(
+      Text("MaximumLag requires 0 < MaximumLag <= ", largest, " for distances of centres in this ",
+        window.Describe(), " in ", lags.Count, " bins, got ", lags.Maximum(), "."));
+  }
+}
+}
+
+int RadialDistribution::PairOf(int r, int s) const
+{
+  const int low = std::min(r, s);
+  return low * this->Modes - low * (low - 1) / 2 + std::max(r, s) - low;
+}
+
+RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGrid& lags,
+  Communicator& ranks, const std::function<void(double)>& progress)
+{
+  const int modes = share.NumberOfModes();
+  CheckNumberOfLags(modes, lags);
+  CheckReach(lags, share.Observed);
+  const std::size_t bins = static_cast<std::size_t>(lags.Count) + 1;
+  const std::vector<double> unset(bins, std::numeric_limits<double>::quiet_NaN());
+  RadialDistribution result{ lags, modes, {}, unset };
+  result.Values.assign(modes * (modes + 1) / 2, unset);
+
+  const WeightedPairs pairs(share, (lags.Count + 0.5) * lags.Spacing, ranks, "MaximumLag");
+  const std::size_t size = result.Values.size() * bins;
+  const std::vector<std::int64_t> sums = pairs.Sum(size, ranks, progress,
+    [&](std::size_t begin, std::size_t end, std::int64_t* own)
+    {
+      pairs.ForEach(begin, end,
+        [&](std::size_t a, const PairNeighbourhood::Part& part, std::size_t b, const Vector3&,
+          double d2, double weight)
+        {
+          const std::size_t bin = static_cast<std::size_t>(std::sqrt(d2) / lags.Spacing + 0.5);
+          const int pair = result.PairOf(share.Own.Mode[a] - 1, part.Pack.Mode[b] - 1);
+          // the last bin's border may be rounded up
+          own[pair * bins + std::min(bin, bins - 1)] += RoundToFixedPoint(pairs.Scale * weight);
+        });
+    });
+
+  const double volume = share.Observed.Volume();
+  for (std::size_t k = 0; k < bins; ++k)
+  {
+    const double inner = k > 0 ? (k - 0.5) * lags.Spacing : 0.0;
+    const double shell = SphereVolume((k + 0.5) * lags.Spacing) - SphereVolume(inner);
+    double all = 0.0;
+    for (int r = 0; r < modes; ++r)
+    {
+      for (int s = r; s < modes; ++s)
+      {
+        // Unordered pairs that were met against those there are
+        const double number = r == s ? 0.5 * share.Count[r] * (share.Count[r] - 1.0)
+                                     : double(share.Count[r]) * share.Count[s];
+        const int pair = result.PairOf(r, s);
+        const double sum = WideValue(&sums[2 * (pair * bins + k)]) / pairs.Scale;
+        all += sum;
+        if (number > 0.0)
+        {
+          result.Values[pair][k] = sum / (number * shell / volume);
+        }
+      }
+    }
+    const double number = 0.5 * share.NumberOfSpheres * (share.NumberOfSpheres - 1.0);
+    if (number > 0.0)
+    {
+      result.Total[k] = all / (number * shell / volume);
+    }
+  }
+  return result;
+}
+}

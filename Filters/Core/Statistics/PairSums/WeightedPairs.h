@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Base/FixedPointSums.h"
+#include "ruc/Particles/PairNeighbourhood.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace ruc
+{
+/**
+ * The pairs of a pack closer than a cut-off, each with its weight V / gamma(d) (V the volume of the
+ * window of the centres, gamma its set covariance), and how to add them up in FixedPointSums.
+ */
+class WeightedPairs
+{
+public:
+  /**
+   * Collective. Pairs with a displacement that is `rim` or more away from the cube of half edge
+   * `cube` around 0 are left out; all others must have a set covariance > 0.
+   * Throws std::invalid_argument, the same on every rank, where a sphere may have more than
+   * FixedPointSums::MostTerms others around it; `property` is what to blame.
+   */
+  WeightedPairs(const PackShare& share, double cutoff, Communicator& ranks, const char* property,
+    double cube = std::numeric_limits<double>::infinity(), double rim = 1.0);
+
+  PairNeighbourhood Pairs;
+  /** Twice the weight of any pair of any rank times Scale is at most 2^FixedPointSums::TermBits. */
+  double Scale;
+  /** Own centres to be taken between two calls of FixedPointSums::Take(Terms), if each pair, and
+   * each centre with itself, adds at most that once to a sum. */
+  std::size_t Step;
+  std::int64_t Terms;
+
+  /** Calls visit(i, part, j, d, d2, weight), as PairNeighbourhood::ForEachPair does. */
+  template <class Visit>
+  void ForEach(std::size_t begin, std::size_t end, Visit&& visit) const
+  {
+    this->Pairs.ForEachPair(begin, end,
+      [&](std::size_t i, const PairNeighbourhood::Part& part, std::size_t j, double dx, double dy,
+        double dz, double d2)
+      {
+        const double x = std::max(std::abs(dx) - this->Cube, 0.0);
+        const double y = std::max(std::abs(dy) - this->Cube, 0.0);
+        const double z = std::max(std::abs(dz) - this->Cube, 0.0);
+        if (x * x + y * y + z * z < this->Rim * this->Rim)
+        {
+          visit(i, part, j, Vector3{ dx, dy, dz }, d2,
+            this->Periodic ? 1.0 : this->Volume / this->Observed.SetCovariance(dx, dy, dz));
+        }
+      });
+  }
+
+  /**
+   * Collective: `size` numbers summed over the own centres of all ranks, two limbs each
+   * (WideValue). add(begin, end, sums) adds those of the places [begin, end) on any thread;
+   * `progress` is told the share that is done, on the calling thread.
+   */
+  template <class Add>
+  std::vector<std::int64_t> Sum(std::size_t size, Communicator& ranks,
+    const std::function<void(double)>& progress, Add&& add) const
+  {
+    constexpr std::size_t chunkOfCentres = 64;
+    std::vector<std::int64_t> sums(2 * size, 0);
+    const std::size_t centres = this->Pairs.Size();
+    const std::int64_t chunks =
+      static_cast<std::int64_t>((centres + chunkOfCentres - 1) / chunkOfCentres);
+#pragma omp parallel
+    {
+      FixedPointSums own(size);
+#pragma omp for schedule(dynamic) nowait
+      for (std::int64_t chunk = 0; chunk < chunks; ++chunk)
+      {
+        const std::size_t end = std::min((chunk + 1) * chunkOfCentres, centres);
+        for (std::size_t i = chunk * chunkOfCentres; i < end; i += this->Step)
+        {
+          add(i, std::min(i + this->Step, end), own.Take(this->Terms));
+        }
+        if (progress && omp_get_thread_num() == 0)
+        {
+          progress(double(chunk) / chunks);
+        }
+      }
+      const std::vector<std::int64_t>& wide = own.Finish();
+#pragma omp critical
+      std::transform(wide.begin(), wide.end(), sums.begin(), sums.begin(), std::plus<>());
+    }
+    ranks.Sum(sums.data(), sums.size());
+    return sums;
+  }
+
+private:
+  Window Observed;
+  double Cube, Rim, Volume;
+  bool Periodic;
+};
+
+/** 12 / pi x the lens volume of SphereOverlap.h, without branches, for loops that are to become
+ * vector loops: t is moved into [|a - b|, a + b], outside of which the volume is constant. */
+class LensFormula
+{
+public:
+  LensFormula(double a, double b)
+    : Contact(a + b)
+    , Inside(std::max(std::abs(a - b), std::numeric_limits<double>::min()))
+    , Product(3.0 * (a - b) * (a - b))
+  {
+  }
+  double operator()(double t) const
+  {
+    const double u = std::min(std::max(t, this->Inside), this->Contact);
+    const double depth = this->Contact - u;
+    return depth * depth * (u + 2.0 * this->Contact - this->Product / u);
+  }
+
+  const double Contact;
+
+private:
+  double Inside, Product;
+};
+}

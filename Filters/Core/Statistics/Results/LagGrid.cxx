@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Statistics/Results/LagGrid.h"
+
+#include "ruc/Base/Text.h"
+
+#include <stdexcept>
+
+namespace ruc
+{
+void CheckNumberOfLags(int modes, const LagGrid& lags)
+{
+  if (lags.Count < 1 || lags.Count > MostLags)
+  {
+    throw std::invalid_argument(
+      Text("NumberOfLags requires 1 <= NumberOfLags <= ", MostLags, ", got ", lags.Count, "."));
+  }
+  constexpr double mostNumbers = 5e7; // of all functions, 400 MB
+  const double pairs = 0.5 * (modes + 1.0) * (modes + 2.0);
+  if (pairs * (lags.Count + 1.0) > mostNumbers)
+  {
+    throw std::invalid_argument(Text("NumberOfLags requires at most ",
+      static_cast<int>(mostNumbers / pairs), " lags for ", modes, " modes, got ", lags.Count, "."));
+  }
+}
+}

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Particles/PackShare.h"
+
+#include <vector>
+
+namespace ruc
+{
+/**
+ * Volume fractions c_r of the modes 1…N_p and, last, of the matrix: the volume of the spheres with
+ * centres in the window over that of the window, c_m = 1 - sum c_r. Of the whole pack, the same on
+ * every rank.
+ */
+std::vector<double> OnePointProbability(const PackTotals& pack);
+}

@@ -1,0 +1,393 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Statistics/Sampling/ChordSampling.h"
+
+#include "ruc/Base/Text.h"
+#include "ruc/Statistics/Sampling/SecondDifferences.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+
+namespace ruc
+{
+void FindPhaseChanges(std::vector<SphereHit>& hits, const std::vector<LineInterval>& inside,
+  int modes, std::vector<PhaseChange>& changes)
+{
+  std::sort(hits.begin(), hits.end(),
+    [](const SphereHit& a, const SphereHit& b)
+    { return std::tie(a.In, a.Out, a.Mode) < std::tie(b.In, b.Out, b.Mode); });
+  changes.clear();
+  const int outside = modes + 1;
+  std::vector<SphereHit> entered; // and not left
+  auto next = hits.begin();
+  for (const LineInterval& interval : inside)
+  {
+    int phase = outside;
+    double t = interval.Begin;
+    while (t < interval.End)
+    {
+      for (; next != hits.end() && next->In <= t; ++next)
+      {
+        entered.push_back(*next);
+      }
+      entered.erase(std::remove_if(entered.begin(), entered.end(),
+                      [&](const SphereHit& hit) { return hit.Out <= t; }),
+        entered.end());
+      int lowest = modes;
+      double until = next == hits.end() ? interval.End : std::min(interval.End, next->In);
+      for (const SphereHit& hit : entered)
+      {
+        lowest = std::min(lowest, hit.Mode);
+        until = std::min(until, hit.Out);
+      }
+      if (lowest != phase)
+      {
+        changes.push_back({ t, phase, lowest });
+        phase = lowest;
+      }
+      t = until;
+    }
+    changes.push_back({ interval.End, phase, outside });
+  }
+}
+
+LineCorrelation::LineCorrelation(int modes, const LagGrid& lags)
+  : States(modes + 2)
+  , Lags(lags.Count)
+  , Unit(lags.Count > 0 ? lags.Spacing : 1.0)
+  , Rows(static_cast<std::size_t>(States) * States, nullptr)
+  , Correlations(static_cast<std::size_t>(modes + 1) * (modes + 1), nullptr)
+{
+}
+
+double* LineCorrelation::NewRow(double*& row)
+{
+  if (this->Used == this->Storage.size())
+  {
+    this->Storage.emplace_back(this->Lags + 2);
+  }
+  std::vector<double>& differences = this->Storage[this->Used++];
+  std::fill(differences.begin(), differences.end(), 0.0);
+  return row = differences.data();
+}
+
+void LineCorrelation::AddLine(const std::vector<PhaseChange>& changes)
+{
+  // With the indicator function I_r of a phase on the line, C_rs'' at the lag p is - the sum over
+  // all pairs of phase changes p apart of (jump of I_r at the first) x (jump of I_s at the second).
+  const int outside = this->States - 1;
+  const double scale = 1.0 / this->Unit;
+  for (std::size_t i = 0; i < changes.size(); ++i)
+  {
+    const int before = changes[i].Before, after = changes[i].After;
+    // A change with itself: half of the kink at lag 0, which is all of it for lags >= 0
+    if (before != outside)
+    {
+      AddRamp(-1.0, 0.0, this->RowOf(before, before));
+      AddRamp(1.0, 0.0, this->RowOf(before, after));
+    }
+    if (after != outside)
+    {
+      AddConstant(
+        scale * (changes[i + 1].Position - changes[i].Position), this->RowOf(after, after));
+    }
+    for (std::size_t j = i + 1; j < changes.size(); ++j)
+    {
+      const double apart = scale * (changes[j].Position - changes[i].Position);
+      if (apart > this->Lags)
+      {
+        break;
+      }
+      AddRamp(-1.0, apart, this->RowOf(after, changes[j].After));
+      AddRamp(1.0, apart, this->RowOf(after, changes[j].Before));
+      AddRamp(1.0, apart, this->RowOf(before, changes[j].After));
+      AddRamp(-1.0, apart, this->RowOf(before, changes[j].Before));
+    }
+  }
+}
+
+const std::vector<const double*>& LineCorrelation::Finish()
+{
+  const int phases = this->States - 1;
+  for (int r = 0; r < phases; ++r)
+  {
+    for (int s = 0; s < phases; ++s)
+    {
+      double* row = this->Rows[static_cast<std::size_t>(r) * this->States + s];
+      if (row)
+      {
+        Integrate(this->Unit, this->Lags, row);
+      }
+      this->Correlations[static_cast<std::size_t>(r) * phases + s] = row;
+    }
+  }
+  return this->Correlations;
+}
+
+void LineCorrelation::Clear()
+{
+  std::fill(this->Rows.begin(), this->Rows.end(), nullptr);
+  this->Used = 0;
+}
+
+namespace
+{
+constexpr SampleNames LineNames = { "NumberOfLines", "lines" };
+// The closer the lines of a batch, the less they say for each; the fewer the batches, the less is
+// known of their scatter
+constexpr int LinesInAimedBatch = 512, MostLinesInBatch = 4096;
+
+// Batches of parallel lines that all ranks trace through their own spheres; the hits of a batch
+// come together on the rank that owns it, batch % ranks.
+class ChordSampler
+{
+public:
+  ChordSampler(const SpherePack& own, int modes, const SamplingRegion& region, const LagGrid& lags,
+    const SamplingSettings& settings, Communicator& communicator)
+    : Own(own)
+    , Modes(modes)
+    , Region(region)
+    , Lags(lags)
+    , Settings(settings)
+    , Ranks(communicator)
+  {
+  }
+
+  // Lines along a direction instead of isotropic ones
+  void SetDirection(const Vector3& direction, std::uint32_t set)
+  {
+    this->Direction = direction;
+    this->Set = set;
+  }
+
+  SampledTwoPoint Sample(ChordLengths* chordLengths, const SamplingProgress& progress)
+  {
+    const bool aimed = this->Settings.TargetError > 0.0;
+    const int most = this->UsefulLinesInBatch();
+    const int linesInBatch =
+      SamplesInBatch(this->Settings, aimed ? std::min(most, LinesInAimedBatch) : most);
+    const std::int64_t batches = (this->Settings.Samples + linesInBatch - 1) / linesInBatch;
+    this->LinesInBatch =
+      aimed ? linesInBatch : static_cast<double>(this->Settings.Samples) / batches;
+    const double longest = this->Region.LongestLine(this->Lags.Maximum());
+    const double mostLines = this->Region.MostLines(this->LinesInBatch);
+    SampledSums sums(this->Modes, this->Lags, mostLines * longest);
+    std::optional<ChordLengthSums> lengths;
+    if (chordLengths)
+    {
+      lengths.emplace(this->Modes, this->Lags, longest, mostLines);
+    }
+    // Some 10 MB of hits where a line meets 100 spheres
+    const int batchesAtOnce = std::max(MostLinesInBatch / linesInBatch, 2 * this->Ranks.Size());
+    this->Drawn = 0;
+    SampledTwoPoint result = TakeSamples(this->Settings, LineNames, linesInBatch, batchesAtOnce,
+      sums, lengths ? lengths->GetRatios() : std::vector<SampledRatios*>(), this->Ranks, progress,
+      [&](const BatchRange& range)
+      {
+        this->Trace(range);
+        this->Gather(range);
+        this->Accumulate(range, sums, lengths ? &*lengths : nullptr);
+      });
+    result.Samples = this->Drawn;
+    if (chordLengths)
+    {
+      *chordLengths = lengths->Result();
+    }
+    return result;
+  }
+
+private:
+  // Lines much closer to each other than the spheres tell the same; more directions tell more.
+  int UsefulLinesInBatch() const
+  {
+    std::int64_t spheres = static_cast<std::int64_t>(this->Own.Size());
+    this->Ranks.Sum(&spheres, 1);
+    const double distance =
+      0.75 * std::cbrt(this->Region.GetBounds().Volume() / std::max<std::int64_t>(spheres, 1));
+    return static_cast<int>(
+      std::clamp(this->Region.LinesOfSpacing(distance), 1.0, double(MostLinesInBatch)));
+  }
+
+  // The lines of a batch and the spheres they meet
+  struct Batch
+  {
+    std::vector<SampleLine> Lines;
+    std::vector<std::vector<SphereHit>> Hits;
+  };
+
+  void Trace(const BatchRange& range)
+  {
+    this->Batches.assign(range.End - range.First, {});
+#pragma omp parallel for schedule(dynamic)
+    for (std::int64_t n = 0; n < range.End - range.First; ++n)
+    {
+      const auto sample = static_cast<std::uint32_t>(range.First + n);
+      LineBundle bundle = this->Direction
+        ? this->Region.ParallelLinesAlong(*this->Direction, this->Set, this->Settings.Seed, sample,
+            this->LinesInBatch, this->Lags.Maximum())
+        : this->Region.ParallelLines(
+            this->Settings.Seed, sample, this->LinesInBatch, this->Lags.Maximum());
+      Batch& batch = this->Batches[n];
+      batch.Hits.resize(bundle.Lines.size());
+      bundle.FindHits(this->Own, batch.Hits);
+      batch.Lines = std::move(bundle.Lines);
+    }
+    for (const Batch& batch : this->Batches)
+    {
+      this->Drawn += static_cast<std::int64_t>(batch.Lines.size());
+    }
+  }
+
+  // Calls visit(hits) for every line of the batches that a rank owns, in order
+  template <class Visit>
+  void ForEachLineOf(int rank, const BatchRange& range, Visit&& visit)
+  {
+    for (std::int64_t batch = range.First; batch < range.End; ++batch)
+    {
+      if (batch % this->Ranks.Size() == rank)
+      {
+        for (std::vector<SphereHit>& hits : this->Batches[batch - range.First].Hits)
+        {
+          visit(hits);
+        }
+      }
+    }
+  }
+
+  // Sends the hits of a line as their number, then three numbers each
+  void Gather(const BatchRange& range)
+  {
+    const int size = this->Ranks.Size(), own = this->Ranks.Rank();
+    if (size == 1)
+    {
+      return;
+    }
+    std::vector<std::vector<double>> parcels(size);
+    for (int rank = 0; rank < size; ++rank)
+    {
+      if (rank != own)
+      {
+        this->ForEachLineOf(rank, range,
+          [&](const std::vector<SphereHit>& hits)
+          {
+            parcels[rank].push_back(static_cast<double>(hits.size()));
+            for (const SphereHit& hit : hits)
+            {
+              parcels[rank].insert(
+                parcels[rank].end(), { hit.In, hit.Out, static_cast<double>(hit.Mode) });
+            }
+          });
+      }
+    }
+    parcels = this->Ranks.Exchange(std::move(parcels));
+    for (int rank = 0; rank < size; ++rank)
+    {
+      if (rank != own)
+      {
+        const double* number = parcels[rank].data();
+        this->ForEachLineOf(own, range,
+          [&](std::vector<SphereHit>& hits)
+          {
+            for (auto left = static_cast<std::int64_t>(*number++); left > 0; --left, number += 3)
+            {
+              hits.push_back({ number[0], number[1], static_cast<int>(number[2]) });
+            }
+          });
+      }
+    }
+  }
+
+  void Accumulate(const BatchRange& range, SampledSums& sums, ChordLengthSums* lengths)
+  {
+#pragma omp parallel
+    {
+      LineCorrelation correlation(this->Modes, this->Lags);
+      ChordLengthSums::Batch chords;
+      if (lengths)
+      {
+        chords = lengths->NewBatch();
+      }
+      std::vector<PhaseChange> changes;
+#pragma omp for schedule(dynamic)
+      for (std::int64_t batch = range.First; batch < range.End; ++batch)
+      {
+        if (batch % this->Ranks.Size() != this->Ranks.Rank())
+        {
+          continue;
+        }
+        Batch& own = this->Batches[batch - range.First];
+        for (std::size_t n = 0; n < own.Lines.size(); ++n)
+        {
+          FindPhaseChanges(own.Hits[n], own.Lines[n].Inside, this->Modes, changes);
+          correlation.AddLine(changes);
+          if (lengths)
+          {
+            lengths->AddLine(changes, own.Lines[n].Inside, chords);
+          }
+        }
+        sums.AddBatch(correlation.Finish());
+        correlation.Clear();
+        if (lengths)
+        {
+          lengths->AddBatch(chords);
+        }
+      }
+    }
+  }
+
+  const SpherePack& Own;
+  int Modes;
+  const SamplingRegion& Region;
+  LagGrid Lags;
+  SamplingSettings Settings;
+  Communicator& Ranks;
+  std::optional<Vector3> Direction;
+  std::uint32_t Set = 0;
+  double LinesInBatch = 0.0;  // in the mean
+  std::int64_t Drawn = 0;     // lines so far
+  std::vector<Batch> Batches; // in hand
+};
+}
+
+SampledTwoPoint SampleChords(const SpherePack& own, int modes, const SamplingRegion& region,
+  const LagGrid& lags, const SamplingSettings& settings, Communicator& communicator,
+  const SamplingProgress& progress, ChordLengths* chordLengths)
+{
+  CheckSampling(settings, LineNames, modes, lags, region);
+  if (chordLengths && lags.Count < 1)
+  {
+    throw std::invalid_argument("Chord lengths require NumberOfLags >= 1, got 0.");
+  }
+  return ChordSampler(own, modes, region, lags, settings, communicator)
+    .Sample(chordLengths, progress);
+}
+
+std::vector<SampledTwoPoint> SampleChordsAlong(const std::vector<Vector3>& directions,
+  const SpherePack& own, int modes, const SamplingRegion& region, const LagGrid& lags,
+  const SamplingSettings& settings, Communicator& communicator, const SamplingProgress& progress)
+{
+  CheckSampling(settings, LineNames, modes, lags, region);
+  ChordSampler sampler(own, modes, region, lags, settings, communicator);
+  std::vector<SampledTwoPoint> results;
+  for (const Vector3& direction : directions)
+  {
+    const std::size_t number = results.size();
+    sampler.SetDirection(direction, static_cast<std::uint32_t>(number));
+    SamplingProgress part;
+    if (progress)
+    {
+      part = [&](double done, const std::string& text)
+      {
+        return progress((number + done) / directions.size(),
+          Text("direction ", number + 1, " of ", directions.size(), ", ", text));
+      };
+    }
+    results.push_back(sampler.Sample(nullptr, part));
+  }
+  return results;
+}
+}

@@ -1,0 +1,368 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Tracing/SamplingRegion.h"
+
+#include "ruc/Base/Random.h"
+#include "ruc/Base/Text.h"
+#include "ruc/Base/Vector3.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace ruc
+{
+namespace
+{
+std::uint64_t Attempt(std::uint32_t sample, std::uint64_t attempt)
+{
+  return sample + (attempt << 32);
+}
+
+Vector3 IsotropicDirection(double u, double v)
+{
+  const double z = 2.0 * u - 1.0;
+  const double lateral = std::sqrt(std::max(1.0 - z * z, 0.0));
+  return { lateral * std::cos(2.0 * Pi * v), lateral * std::sin(2.0 * Pi * v), z };
+}
+
+void RequireMargin(double margin)
+{
+  if (!(margin >= 0.0 && std::isfinite(margin)))
+  {
+    throw std::invalid_argument(Text("Margin requires a finite number >= 0, got ", margin, "."));
+  }
+}
+
+Window Shrunk(const Window& window, double margin)
+{
+  RequireMargin(margin);
+  const auto require = [&](bool room)
+  {
+    if (!room)
+    {
+      throw std::invalid_argument(Text("The window requires room for a margin of ", margin,
+        " along its border, got a ", window.Describe(), "."));
+    }
+  };
+  if (window.GetShape() == Window::Shape::Cylinder)
+  {
+    require(window.Radius > margin && window.Height > 2.0 * margin);
+    Vector3 base = window.Base;
+    for (int q = 0; q < 3; ++q)
+    {
+      base[q] += margin * window.Axis[q];
+    }
+    return Window::MakeCylinder(
+      base, window.Axis, window.Radius - margin, window.Height - 2.0 * margin);
+  }
+  Vector3 origin = window.Origin, size = window.Size;
+  for (int q = 0; q < 3; ++q)
+  {
+    if (!window.Periodic[q])
+    {
+      require(size[q] > 2.0 * margin);
+      origin[q] += margin;
+      size[q] -= 2.0 * margin;
+    }
+  }
+  return Window::MakeBox(origin, size, window.Periodic);
+}
+
+Window BoundsOf(const Window& window)
+{
+  if (window.GetShape() == Window::Shape::Box)
+  {
+    return window;
+  }
+  Vector3 origin, size;
+  for (int q = 0; q < 3; ++q)
+  {
+    const double lateral =
+      window.Radius * std::sqrt(std::max(1.0 - window.Axis[q] * window.Axis[q], 0.0));
+    const double along = window.Height * window.Axis[q];
+    origin[q] = window.Base[q] + std::min(along, 0.0) - lateral;
+    size[q] = std::abs(along) + 2.0 * lateral;
+  }
+  return Window::MakeBox(origin, size, { false, false, false });
+}
+
+// Narrows [begin, end] to the t with low <= position + t slope <= high
+void ClipToSlab(double position, double slope, double low, double high, double& begin, double& end)
+{
+  if (slope == 0.0)
+  {
+    end = position >= low && position <= high ? end : begin;
+    return;
+  }
+  const double t0 = (low - position) / slope, t1 = (high - position) / slope;
+  begin = std::max(begin, std::min(t0, t1));
+  end = std::min(end, std::max(t0, t1));
+}
+
+}
+
+SamplingRegion::SamplingRegion(const Window& window, double margin)
+  : Shape(Shrunk(window, margin))
+  , Bounds(BoundsOf(this->Shape))
+{
+  if (this->Shape.GetShape() == Window::Shape::Cylinder)
+  {
+    for (int q = 0; q < 3; ++q)
+    {
+      this->Centre[q] = this->Shape.Base[q] + 0.5 * this->Shape.Height * this->Shape.Axis[q];
+    }
+    this->Radius = std::hypot(this->Shape.Radius, 0.5 * this->Shape.Height);
+    return;
+  }
+  this->EncloseBounds();
+}
+
+SamplingRegion::SamplingRegion(const VoxelMask& mask, double margin)
+{
+  RequireMargin(margin);
+  this->Mask = mask.Eroded(margin);
+  this->Shape = this->Mask->GetBounds();
+  this->Bounds = this->Shape;
+  this->EncloseBounds();
+}
+
+void SamplingRegion::EncloseBounds()
+{
+  const Vector3& size = this->Bounds.Size;
+  for (int q = 0; q < 3; ++q)
+  {
+    this->Centre[q] = this->Bounds.Origin[q] + 0.5 * size[q];
+  }
+  this->Radius = 0.5 * std::hypot(size[0], size[1], size[2]);
+}
+
+bool SamplingRegion::Contains(const Vector3& point) const
+{
+  return this->Mask ? this->Mask->Contains(point) : this->Shape.Contains(point);
+}
+
+double SamplingRegion::Volume() const
+{
+  return this->Mask ? this->Mask->Volume() : this->Shape.Volume();
+}
+
+double SamplingRegion::LargestLag() const
+{
+  return (this->IsFullyPeriodic() ? 4.0 : 0.999) * this->Shape.ShortestEdge();
+}
+
+Vector3 SamplingRegion::RandomPoint(std::uint32_t seed, std::uint32_t sample) const
+{
+  for (std::uint64_t attempt = 0;; ++attempt)
+  {
+    Vector3 point = UniformTriple(seed, RandomStream::SamplePoint, Attempt(sample, attempt));
+    for (int q = 0; q < 3; ++q)
+    {
+      point[q] = this->Bounds.Origin[q] + point[q] * this->Bounds.Size[q];
+    }
+    if (this->Contains(point))
+    {
+      return point;
+    }
+  }
+}
+
+Vector3 SamplingRegion::RandomDirection(std::uint32_t seed, std::uint32_t sample)
+{
+  const std::array<double, 3> u = UniformTriple(seed, RandomStream::SampleDirection, sample);
+  return IsotropicDirection(u[0], u[1]);
+}
+
+double SamplingRegion::RandomTurn(std::uint32_t seed, std::uint32_t sample)
+{
+  return UniformTriple(seed, RandomStream::SampleDirection, sample)[2];
+}
+
+LineBundle SamplingRegion::ParallelLines(
+  std::uint32_t seed, std::uint32_t sample, double number, double maximumLag) const
+{
+  const std::array<double, 3> u = UniformTriple(seed, RandomStream::LineDirection, sample);
+  return this->ParallelLinesAlong(
+    IsotropicDirection(u[0], u[1]), 0, seed, sample, number, maximumLag);
+}
+
+LineBundle SamplingRegion::ParallelLinesAlong(const Vector3& direction, std::uint32_t set,
+  std::uint32_t seed, std::uint32_t sample, double number, double maximumLag) const
+{
+  const std::array<double, 3> v = UniformTriple(seed, RandomStream::LinePlace, sample, set);
+  if (this->IsFullyPeriodic())
+  {
+    return this->PeriodicLines(direction, v, number, maximumLag);
+  }
+  // Two directions across the lines; the first from the axis that is furthest from along them
+  const Vector3& d = direction;
+  const double x = std::abs(d[0]), y = std::abs(d[1]), z = std::abs(d[2]);
+  const Vector3 a = x <= y && x <= z ? Vector3{ 0.0, -d[2], d[1] }
+    : y <= z                         ? Vector3{ d[2], 0.0, -d[0] }
+                                     : Vector3{ -d[1], d[0], 0.0 };
+  const Vector3 b = { d[1] * a[2] - d[2] * a[1], d[2] * a[0] - d[0] * a[2],
+    d[0] * a[1] - d[1] * a[0] };
+  const double spacing = this->GridSpacing(number);
+  const double norm = std::hypot(a[0], a[1], a[2]);
+  const double c = spacing * std::cos(2.0 * Pi * v[2]) / norm;
+  const double s = spacing * std::sin(2.0 * Pi * v[2]) / norm;
+  Vector3 axisI, axisJ, origin;
+  for (int q = 0; q < 3; ++q)
+  {
+    axisI[q] = c * a[q] + s * b[q];
+    axisJ[q] = c * b[q] - s * a[q];
+    origin[q] = this->Centre[q] - this->Radius * d[q] + v[0] * axisI[q] + v[1] * axisJ[q];
+  }
+  // Across the lines the region lies in the disc of the bounding sphere
+  const double reach = this->Radius / spacing;
+  const int last = static_cast<int>(reach) + 1;
+  LineBundle bundle(this->Bounds, direction, origin, axisI, axisJ, { -last, -last },
+    { 2 * last + 1, 2 * last + 1 });
+  std::vector<LineInterval> inside;
+  for (int i = -last; i <= last; ++i)
+  {
+    for (int j = -last; j <= last; ++j)
+    {
+      if (std::hypot(i + v[0], j + v[1]) <= reach)
+      {
+        this->Clip(bundle.StartOf(i, j), direction, 2.0 * this->Radius, inside);
+        if (!inside.empty())
+        {
+          bundle.AddLine(i, j, inside);
+        }
+      }
+    }
+  }
+  return bundle;
+}
+
+// The plane is that of the face that is best across the lines, moved to any place; the lattice
+// closes over the periodic edges.
+LineBundle SamplingRegion::PeriodicLines(const Vector3& direction,
+  const std::array<double, 3>& shift, double number, double maximumLag) const
+{
+  int across = 0;
+  for (int q = 1; q < 3; ++q)
+  {
+    across = std::abs(direction[q]) > std::abs(direction[across]) ? q : across;
+  }
+  const int p = (across + 1) % 3, q = (across + 2) % 3;
+  const Vector3& size = this->Bounds.Size;
+  const int rows =
+    std::max(1, static_cast<int>(std::lround(std::sqrt(number * size[p] / size[q]))));
+  const int columns = std::max(1, static_cast<int>(std::lround(number / rows)));
+  Vector3 axisI{}, axisJ{}, origin = this->Bounds.Origin;
+  axisI[p] = size[p] / rows;
+  axisJ[q] = size[q] / columns;
+  origin[p] += shift[0] * axisI[p];
+  origin[q] += shift[1] * axisJ[q];
+  origin[across] += shift[2] * size[across];
+  const double length = size[across] / std::abs(direction[across]) + maximumLag;
+  LineBundle bundle(this->Bounds, direction, origin, axisI, axisJ, { 0, 0 }, { rows, columns });
+  for (int i = 0; i < rows; ++i)
+  {
+    for (int j = 0; j < columns; ++j)
+    {
+      bundle.AddLine(i, j, { { 0.0, length } });
+    }
+  }
+  return bundle;
+}
+
+double SamplingRegion::LongestLine(double maximumLag) const
+{
+  const Vector3& size = this->Bounds.Size;
+  return this->IsFullyPeriodic()
+    ? maximumLag + std::sqrt(3.0) * *std::max_element(size.begin(), size.end())
+    : 2.0 * this->Radius;
+}
+
+// A quarter of the surface (Cauchy)
+double SamplingRegion::ProjectedArea() const
+{
+  const Window& shape = this->Shape;
+  const Vector3& size = shape.Size;
+  return shape.GetShape() == Window::Shape::Cylinder
+    ? 0.5 * Pi * shape.Radius * (shape.Radius + shape.Height)
+    : 0.5 * (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
+}
+
+double SamplingRegion::GridSpacing(double number) const
+{
+  return std::sqrt(this->ProjectedArea() / number);
+}
+
+double SamplingRegion::LinesOfSpacing(double spacing) const
+{
+  // Periodic lines begin in a face, which is two thirds of that in the mean
+  return this->ProjectedArea() / (spacing * spacing) * (this->IsFullyPeriodic() ? 2.0 / 3.0 : 1.0);
+}
+
+double SamplingRegion::MostLines(double number) const
+{
+  if (this->IsFullyPeriodic())
+  {
+    // Rows and columns are rounded; with more rows than lines asked for there is one column
+    const Vector3& size = this->Bounds.Size;
+    const auto [least, greatest] = std::minmax_element(size.begin(), size.end());
+    return 2.0 * number + 2.0 * std::sqrt(number * *greatest / *least) + 2.0;
+  }
+  const double across = 2.0 * this->Radius / this->GridSpacing(number) + 1.0;
+  return across * across;
+}
+
+void SamplingRegion::Clip(const Vector3& start, const Vector3& direction, double length,
+  std::vector<LineInterval>& inside) const
+{
+  if (this->Mask)
+  {
+    this->Mask->Intersect(start, direction, length, inside);
+    return;
+  }
+  double begin = 0.0, end = length;
+  if (this->Shape.GetShape() == Window::Shape::Box)
+  {
+    for (int q = 0; q < 3; ++q)
+    {
+      ClipToSlab(start[q], direction[q], this->Shape.Origin[q],
+        this->Shape.Origin[q] + this->Shape.Size[q], begin, end);
+    }
+  }
+  else
+  {
+    const Vector3 from = { start[0] - this->Shape.Base[0], start[1] - this->Shape.Base[1],
+      start[2] - this->Shape.Base[2] };
+    const double position = Dot(from, this->Shape.Axis);
+    const double slope = Dot(direction, this->Shape.Axis);
+    ClipToSlab(position, slope, 0.0, this->Shape.Height, begin, end);
+    // Across the axis: |p + t w| <= radius
+    Vector3 p, w;
+    for (int q = 0; q < 3; ++q)
+    {
+      p[q] = from[q] - position * this->Shape.Axis[q];
+      w[q] = direction[q] - slope * this->Shape.Axis[q];
+    }
+    const double radius2 = this->Shape.Radius * this->Shape.Radius;
+    const double w2 = Dot(w, w);
+    if (w2 > 0.0)
+    {
+      const double nearest = -Dot(p, w) / w2;
+      const Vector3 foot = { p[0] + nearest * w[0], p[1] + nearest * w[1], p[2] + nearest * w[2] };
+      const double half2 = (radius2 - Dot(foot, foot)) / w2;
+      const double half = half2 > 0.0 ? std::sqrt(half2) : 0.0;
+      begin = std::max(begin, nearest - half);
+      end = std::min(end, nearest + half);
+    }
+    else if (Dot(p, p) > radius2)
+    {
+      end = begin;
+    }
+  }
+  inside.clear();
+  if (begin < end)
+  {
+    inside.push_back({ begin, end });
+  }
+}
+}

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Window/Window.h"
+
+#include "ruc/Base/Text.h"
+#include "ruc/Base/Vector3.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace ruc
+{
+namespace
+{
+void RequireFinite(const char* name, const Vector3& v)
+{
+  for (double c : v)
+  {
+    if (!std::isfinite(c))
+    {
+      throw std::invalid_argument(
+        Text(name, " requires three finite numbers, got ", v[0], " ", v[1], " ", v[2], "."));
+    }
+  }
+}
+
+void RequirePositive(const char* name, double value)
+{
+  if (!(value > 0.0 && std::isfinite(value)))
+  {
+    throw std::invalid_argument(Text(name, " requires a finite number > 0, got ", value, "."));
+  }
+}
+
+// Area shared by two discs of one radius.
+double SharedDiscArea(double radius, double distance)
+{
+  const double x = distance / (2.0 * radius);
+  return x < 1.0 ? 2.0 * radius * radius * (std::acos(x) - x * std::sqrt(1.0 - x * x)) : 0.0;
+}
+}
+
+Window Window::MakeBox(
+  const Vector3& origin, const Vector3& size, const std::array<bool, 3>& periodic)
+{
+  RequireFinite("BoxOrigin", origin);
+  for (double edge : size)
+  {
+    if (!(edge > 0.0 && std::isfinite(edge)))
+    {
+      throw std::invalid_argument(Text(
+        "BoxSize requires three finite edges > 0, got ", size[0], " ", size[1], " ", size[2], "."));
+    }
+  }
+  Window window;
+  window.WindowShape = Shape::Box;
+  window.Origin = origin;
+  window.Size = size;
+  window.Periodic = periodic;
+  return window;
+}
+
+Window Window::MakeCylinder(const Vector3& base, const Vector3& axis, double radius, double height)
+{
+  RequireFinite("CylinderBase", base);
+  RequireFinite("CylinderAxis", axis);
+  RequirePositive("CylinderRadius", radius);
+  RequirePositive("CylinderHeight", height);
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  if (!(length > 0.0))
+  {
+    throw std::invalid_argument("CylinderAxis requires a direction, got 0 0 0.");
+  }
+  Window window;
+  window.WindowShape = Shape::Cylinder;
+  window.Base = base;
+  window.Axis = { axis[0] / length, axis[1] / length, axis[2] / length };
+  window.Radius = radius;
+  window.Height = height;
+  return window;
+}
+
+bool Window::IsPeriodic() const
+{
+  return this->Periodic[0] || this->Periodic[1] || this->Periodic[2];
+}
+
+bool Window::IsFullyPeriodic() const
+{
+  return this->Periodic[0] && this->Periodic[1] && this->Periodic[2];
+}
+
+double Window::Volume() const
+{
+  return this->WindowShape == Shape::Box ? this->Size[0] * this->Size[1] * this->Size[2]
+                                         : Pi * this->Radius * this->Radius * this->Height;
+}
+
+bool Window::Contains(const Vector3& centre) const
+{
+  if (this->WindowShape == Shape::Box)
+  {
+    for (int q = 0; q < 3; ++q)
+    {
+      const double slack = this->Periodic[q] ? 1e-9 * this->Size[q] : 0.0;
+      if (!(centre[q] >= this->Origin[q] - slack &&
+            centre[q] <= this->Origin[q] + this->Size[q] + slack))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+  const Vector3 p = { centre[0] - this->Base[0], centre[1] - this->Base[1],
+    centre[2] - this->Base[2] };
+  const double along = p[0] * this->Axis[0] + p[1] * this->Axis[1] + p[2] * this->Axis[2];
+  const double lateral2 = std::max(p[0] * p[0] + p[1] * p[1] + p[2] * p[2] - along * along, 0.0);
+  return along >= 0.0 && along <= this->Height && lateral2 <= this->Radius * this->Radius;
+}
+
+double Window::SetCovariance(double dx, double dy, double dz) const
+{
+  if (this->WindowShape == Shape::Box)
+  {
+    const double d[3] = { dx, dy, dz };
+    double product = 1.0;
+    for (int q = 0; q < 3; ++q)
+    {
+      product *= this->Periodic[q] ? this->Size[q] : std::max(this->Size[q] - std::abs(d[q]), 0.0);
+    }
+    return product;
+  }
+  const double along = dx * this->Axis[0] + dy * this->Axis[1] + dz * this->Axis[2];
+  const double lateral = std::sqrt(std::max(dx * dx + dy * dy + dz * dz - along * along, 0.0));
+  return SharedDiscArea(this->Radius, lateral) * std::max(this->Height - std::abs(along), 0.0);
+}
+
+double Window::Reach() const
+{
+  if (this->WindowShape == Shape::Cylinder)
+  {
+    return this->ShortestEdge();
+  }
+  double reach = std::numeric_limits<double>::infinity();
+  for (int q = 0; q < 3; ++q)
+  {
+    if (!this->Periodic[q])
+    {
+      reach = std::min(reach, this->Size[q]);
+    }
+  }
+  return reach;
+}
+
+double Window::ShortestEdge() const
+{
+  return this->WindowShape == Shape::Box ? *std::min_element(this->Size.begin(), this->Size.end())
+                                         : std::min(2.0 * this->Radius, this->Height);
+}
+
+std::string Window::Describe() const
+{
+  if (this->WindowShape == Shape::Cylinder)
+  {
+    return Text("cylinder window of radius ", this->Radius, " and height ", this->Height);
+  }
+  return Text(this->IsFullyPeriodic() ? "periodic box "
+      : this->IsPeriodic()            ? "partly periodic box "
+                                      : "box window ",
+    this->Size[0], " x ", this->Size[1], " x ", this->Size[2]);
+}
+}

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Base/Vector3.h"
+
+#include <array>
+#include <string>
+
+namespace ruc
+{
+/**
+ * The region in which the centres of a pack were observed: a box, each axis of which may be
+ * periodic, or a circular cylinder of any axis direction. Lengths are in the unit of the pack.
+ */
+class Window
+{
+public:
+  enum class Shape
+  {
+    Box,
+    Cylinder
+  };
+
+  /**
+   * A box from `origin` to `origin + size`.
+   * Throws std::invalid_argument unless every number is finite and every edge is > 0.
+   */
+  static Window MakeBox(
+    const Vector3& origin, const Vector3& size, const std::array<bool, 3>& periodic);
+
+  /**
+   * A cylinder from `base`, the centre of its base, along `axis` (any length but 0) over `height`.
+   * Throws std::invalid_argument unless every number is finite and radius, height and |axis| are >
+   * 0.
+   */
+  static Window MakeCylinder(
+    const Vector3& base, const Vector3& axis, double radius, double height);
+
+  Shape GetShape() const { return this->WindowShape; }
+  bool IsPeriodic() const;
+  bool IsFullyPeriodic() const;
+  double Volume() const;
+
+  /**
+   * Whether a centre lies in the window, on any of its faces included. Along a periodic axis a
+   * centre a rounding error outside (1e-9 of the edge) still counts.
+   */
+  bool Contains(const Vector3& centre) const;
+
+  /**
+   * Set covariance: the volume of the window's intersection with itself displaced by (dx, dy, dz).
+   * A periodic axis does not lose volume.
+   */
+  double SetCovariance(double dx, double dy, double dz) const;
+
+  /** Every displacement shorter than this has a set covariance > 0; infinity where all axes are
+   * periodic. */
+  double Reach() const;
+
+  /** The shortest edge; of a cylinder the lesser of diameter and height. */
+  double ShortestEdge() const;
+
+  /** "box window 1445 x 1288 x 789" and the like, for messages. */
+  std::string Describe() const;
+
+  // Box
+  Vector3 Origin{};
+  Vector3 Size{};
+  std::array<bool, 3> Periodic{};
+  // Cylinder; Axis has length 1
+  Vector3 Base{};
+  Vector3 Axis{};
+  double Radius = 0.0;
+  double Height = 0.0;
+
+private:
+  Shape WindowShape = Shape::Box;
+};
+}

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRUCParticleModes.h"
+
+#include "PackData.h"
+#include "RankCommunicator.h"
+#include "ruc/Base/Text.h"
+#include "ruc/Particles/ParticleModes.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkRUCParticleModes);
+
+namespace
+{
+const char* const MethodNames[] = { "Equal Width", "Equal Volume", "Explicit Edges",
+  "One Per Size" };
+
+// The points of the input that have a mode and, if `window` is not null, lie in it; with all their
+// arrays
+void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::Window* window,
+  vtkPolyData* output)
+{
+  vtkDataArray* radius = PackData::RequireArray(input, "Radius");
+  vtkNew<vtkPoints> points;
+  points->SetDataType(input->GetPoints()->GetDataType());
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkIntArray> mode;
+  mode->SetName("Mode");
+  output->GetPointData()->CopyAllOn();
+  output->GetPointData()->CopyAllocate(input->GetPointData(), input->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    const int m = modes.ModeOf(2.0 * radius->GetTuple1(i));
+    double centre[3];
+    input->GetPoint(i, centre);
+    if (m > 0 && (!window || window->Contains({ centre[0], centre[1], centre[2] })))
+    {
+      const vtkIdType id = points->InsertNextPoint(centre);
+      vertices->InsertNextCell(1, &id);
+      output->GetPointData()->CopyData(input->GetPointData(), i, id);
+      mode->InsertNextValue(m);
+    }
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  output->GetPointData()->AddArray(mode);
+  output->GetPointData()->SetActiveScalars("Mode"); // which views colour by
+}
+
+void FillTable(const ruc::ParticleModes& modes, double volume, vtkTable* table)
+{
+  std::vector<long long> number, count;
+  std::vector<double> smallest, largest, mean, fraction;
+  for (int m = 1; m <= modes.NumberOfModes(); ++m)
+  {
+    const ruc::ModeSummary& summary = modes.Summary(m);
+    number.push_back(m);
+    count.push_back(static_cast<long long>(summary.Count));
+    smallest.push_back(summary.MinimumDiameter);
+    largest.push_back(summary.MaximumDiameter);
+    mean.push_back(summary.VolumeMeanDiameter);
+    fraction.push_back(summary.Volume / volume);
+  }
+  PackData::AddColumn(table, "Mode", number);
+  PackData::AddColumn(table, "Count", count);
+  PackData::AddColumn(table, "MinimumDiameter", smallest);
+  PackData::AddColumn(table, "MaximumDiameter", largest);
+  PackData::AddColumn(table, "VolumeMeanDiameter", mean);
+  PackData::AddColumn(table, "VolumeFraction", fraction);
+}
+}
+
+vtkRUCParticleModes::vtkRUCParticleModes()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+int vtkRUCParticleModes::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+void vtkRUCParticleModes::ClearEdges()
+{
+  this->Edges.clear();
+  this->Modified();
+}
+
+void vtkRUCParticleModes::SetEdge(int i, double diameter)
+{
+  if (i >= this->GetNumberOfEdges())
+  {
+    this->Edges.resize(i + 1, 0.0);
+  }
+  this->Edges[i] = diameter;
+  this->Modified();
+}
+
+void vtkRUCParticleModes::Execute(
+  vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+{
+  if (this->Method < EQUAL_WIDTH || this->Method > ONE_PER_SIZE)
+  {
+    throw std::invalid_argument(
+      ruc::Text("Method requires a value from 0 to 3, got ", this->Method, "."));
+  }
+  const PackData::PackPiece pack =
+    PackData::FindPiece(input, this->GetWindowProperties(), false, ranks);
+  ruc::ModeSettings settings;
+  settings.Method = static_cast<ruc::ModeMethod>(this->Method);
+  settings.NumberOfModes = this->NumberOfModes;
+  settings.Edges = this->Method == EXPLICIT_EDGES ? this->Edges : std::vector<double>{};
+  settings.MinimumDiameter = this->MinimumDiameter;
+  std::vector<double> diameters(pack.Piece.Size());
+  std::transform(pack.Piece.Radius.begin(), pack.Piece.Radius.end(), diameters.begin(),
+    [](double r) { return 2.0 * r; });
+  const ruc::ParticleModes modes(std::move(diameters), settings, ranks);
+
+  const int wanted = this->Method == ONE_PER_SIZE ? modes.NumberOfModes()
+    : this->Method == EXPLICIT_EDGES              ? this->GetNumberOfEdges() - 1
+                                                  : this->NumberOfModes;
+  if (modes.NumberOfModes() < wanted && ranks.Rank() == 0)
+  {
+    vtkWarningMacro(<< this->GetLabel() << ": " << wanted - modes.NumberOfModes() << " of "
+                    << wanted
+                    << " modes would hold no sphere and are left out; the others are numbered 1 to "
+                    << modes.NumberOfModes() << ".");
+  }
+
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  if (input && input->GetNumberOfPoints() > 0)
+  {
+    FillOutput(input, modes, this->GetCropToWindow() ? &pack.Observed : nullptr, output);
+    output->GetFieldData()->PassData(input->GetFieldData());
+  }
+  vtkTable* table = vtkTable::GetData(outputs, 1);
+  if (ranks.Rank() == 0)
+  {
+    FillTable(modes, pack.Observed.Volume(), table);
+  }
+  long long spheres = 0;
+  for (int m = 1; m <= modes.NumberOfModes(); ++m)
+  {
+    spheres += static_cast<long long>(modes.Summary(m).Count);
+  }
+  for (vtkDataObject* data :
+    { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(table) })
+  {
+    PackData::AddField(data, "Method", std::string(MethodNames[this->Method]));
+    PackData::AddField(data, "NumberOfSpheres", std::vector<long long>{ spheres });
+    PackData::AddOrigin(data, pack);
+    // Bounds of the centres are a fallback for the table's fractions, not a window to hand on as
+    // observed
+    if (pack.WindowSource != "Bounds of the centres")
+    {
+      PackData::AddWindow(data, pack.Observed);
+    }
+  }
+}
+
+void vtkRUCParticleModes::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "NumberOfModes: " << this->NumberOfModes << "\n";
+  os << indent << "Edges:";
+  for (double edge : this->Edges)
+  {
+    os << " " << edge;
+  }
+  os << "\n" << indent << "MinimumDiameter: " << this->MinimumDiameter << "\n";
+}

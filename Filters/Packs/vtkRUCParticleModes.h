@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRUCParticleModes
+ * @brief Sorts the spheres of a pack into modes, classes of particle size
+ *
+ * Input: a sphere pack (vtkRUCPackAlgorithm). Output 0: the same points, where they were, with the
+ * point array `Mode` (int, 1 to the number of modes, by ascending diameter), without the spheres
+ * below MinimumDiameter. Output 1, whole on rank 0: the table `Mode`, `Count`, `MinimumDiameter`,
+ * `MaximumDiameter`, `VolumeMeanDiameter` ((sum d^3 / Count)^(1/3)), `VolumeFraction`.
+ *
+ * Modes that would be empty are left out and the others numbered through, with a warning.
+ */
+#ifndef vtkRUCParticleModes_h
+#define vtkRUCParticleModes_h
+
+#include "RUCPacksModule.h"
+#include "vtkRUCPackAlgorithm.h"
+
+#include <vector>
+
+class RUCPACKS_EXPORT vtkRUCParticleModes : public vtkRUCPackAlgorithm
+{
+public:
+  static vtkRUCParticleModes* New();
+  vtkTypeMacro(vtkRUCParticleModes, vtkRUCPackAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Methods
+  {
+    EQUAL_WIDTH = 0,
+    EQUAL_VOLUME = 1,
+    EXPLICIT_EDGES = 2,
+    ONE_PER_SIZE = 3
+  };
+
+  ///@{
+  /** How the range of diameters is divided. Default: EQUAL_WIDTH. */
+  vtkSetMacro(Method, int);
+  vtkGetMacro(Method, int);
+  ///@}
+  ///@{
+  /** Modes wanted by EQUAL_WIDTH and EQUAL_VOLUME, 1 to 256. Default: 9. */
+  vtkSetMacro(NumberOfModes, int);
+  vtkGetMacro(NumberOfModes, int);
+  ///@}
+  ///@{
+  /** For EXPLICIT_EDGES: ascending diameters; mode i holds edge i <= d < edge i + 1, the last mode
+   * its upper edge as well. */
+  void ClearEdges();
+  void SetEdge(int i, double diameter);
+  int GetNumberOfEdges() const { return static_cast<int>(this->Edges.size()); }
+  double GetEdge(int i) const { return this->Edges[i]; }
+  ///@}
+  ///@{
+  /** Spheres of a smaller diameter, such as debris, are left out. Default: 0, keep all. */
+  vtkSetMacro(MinimumDiameter, double);
+  vtkGetMacro(MinimumDiameter, double);
+  ///@}
+
+protected:
+  vtkRUCParticleModes();
+  ~vtkRUCParticleModes() override = default;
+  const char* GetLabel() const override { return "Particle Modes"; }
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
+
+private:
+  vtkRUCParticleModes(const vtkRUCParticleModes&) = delete;
+  void operator=(const vtkRUCParticleModes&) = delete;
+
+  int Method = EQUAL_WIDTH;
+  int NumberOfModes = 9;
+  std::vector<double> Edges;
+  double MinimumDiameter = 0.0;
+};
+
+#endif

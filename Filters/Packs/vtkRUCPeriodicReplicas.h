@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRUCPeriodicReplicas
+ * @brief The copies that make a periodic cell visible as what it is
+ *
+ * Input: a sphere pack with a periodic box (vtkRUCPackAlgorithm). Output 0, spread over the ranks:
+ * the spheres and their copies with `Radius`, `Mode` (where the input has it), `Id` of the original
+ * and `Image` (3 int), the copy's number of box edges from the original; originals have Image 0 0
+ * 0. Output 1, on rank 0: the outlines of the box or of every tile, as lines. Output 2, with
+ * ClipToBox, spread over the ranks: the surfaces of all spheres that reach into the box (or block
+ * of tiles), cut flush with its faces and closed there, with the same arrays.
+ *
+ * BOUNDARY_COPIES adds those images that reach into the box: a sphere that crosses a face is then
+ * there twice, one on an edge of the box four times, one at a corner eight times. TILING repeats
+ * the whole cell.
+ */
+#ifndef vtkRUCPeriodicReplicas_h
+#define vtkRUCPeriodicReplicas_h
+
+#include "RUCPacksModule.h"
+#include "vtkRUCPackAlgorithm.h"
+
+class RUCPACKS_EXPORT vtkRUCPeriodicReplicas : public vtkRUCPackAlgorithm
+{
+public:
+  static vtkRUCPeriodicReplicas* New();
+  vtkTypeMacro(vtkRUCPeriodicReplicas, vtkRUCPackAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Modes
+  {
+    BOUNDARY_COPIES = 0,
+    TILING = 1
+  };
+
+  ///@{
+  /** Which copies to make. Default: BOUNDARY_COPIES. */
+  vtkSetMacro(Mode, int);
+  vtkGetMacro(Mode, int);
+  ///@}
+  ///@{
+  /** For TILING: repetitions along each axis, >= 1, and 1 along an axis that is not periodic.
+   * Default: 1 1 1. */
+  vtkSetVector3Macro(Tiles, int);
+  vtkGetVector3Macro(Tiles, int);
+  ///@}
+  ///@{
+  /** Make the cut surfaces, output 2. Default: off. */
+  vtkSetMacro(ClipToBox, bool);
+  vtkGetMacro(ClipToBox, bool);
+  ///@}
+  ///@{
+  /** Facets of these surfaces around a sphere, 8 to 256. Default: 24. */
+  vtkSetMacro(SurfaceResolution, int);
+  vtkGetMacro(SurfaceResolution, int);
+  ///@}
+
+protected:
+  vtkRUCPeriodicReplicas();
+  ~vtkRUCPeriodicReplicas() override = default;
+  const char* GetLabel() const override { return "Periodic Replicas"; }
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
+
+private:
+  vtkRUCPeriodicReplicas(const vtkRUCPeriodicReplicas&) = delete;
+  void operator=(const vtkRUCPeriodicReplicas&) = delete;
+
+  int Mode = BOUNDARY_COPIES;
+  int Tiles[3] = { 1, 1, 1 };
+  bool ClipToBox = false;
+  int SurfaceResolution = 24;
+};
+
+#endif

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRUCSpherePackReader.h"
+
+#include "PackData.h"
+#include "ruc/Base/Text.h"
+#include "ruc/Formats/SpherePackText.h"
+
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkRUCSpherePackReader);
+
+vtkRUCSpherePackReader::vtkRUCSpherePackReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+int vtkRUCSpherePackReader::CanReadFile(const char* fileName)
+{
+  return fileName && std::ifstream(fileName).good() ? 1 : 0;
+}
+
+int vtkRUCSpherePackReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  output->Initialize();
+  try
+  {
+    this->Read(output);
+  }
+  catch (const std::invalid_argument& e)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< "Sphere Pack Reader, FileName '" << this->FileName << "': " << e.what());
+  }
+  // Not a failed request: the other ranks, which read nothing, would wait for this one in the
+  // filters downstream.
+  return 1;
+}
+
+void vtkRUCSpherePackReader::Read(vtkPolyData* output)
+{
+  std::ifstream file(this->FileName, std::ios::binary);
+  if (!file)
+  {
+    throw std::invalid_argument("a file that can be opened is required.");
+  }
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  ruc::SpherePackTextSettings settings;
+  settings.SkipLines = this->SkipLines;
+  settings.RadiusColumn = this->RadiusColumn;
+  settings.RadiusIsDiameter = this->RadiusIsDiameter;
+  settings.Scale = this->Scale;
+  ruc::SpherePackText spheres = ruc::ParseSpherePack(text, settings);
+
+  const bool hasBox = this->BoxSize[0] != 0.0 || this->BoxSize[1] != 0.0 || this->BoxSize[2] != 0.0;
+  if (hasBox)
+  {
+    const ruc::Window window =
+      ruc::Window::MakeBox({ this->BoxOrigin[0], this->BoxOrigin[1], this->BoxOrigin[2] },
+        { this->BoxSize[0], this->BoxSize[1], this->BoxSize[2] },
+        { this->BoxPeriodic[0] != 0, this->BoxPeriodic[1] != 0, this->BoxPeriodic[2] != 0 });
+    const std::vector<bool> copies = ruc::FindPeriodicCopies(spheres.Pack, window);
+    ruc::SpherePackText once;
+    for (std::size_t i = 0; i < copies.size(); ++i)
+    {
+      if (!copies[i])
+      {
+        once.Append(spheres, i);
+      }
+    }
+    const std::size_t ghosts = copies.size() - once.Pack.Size();
+    for (std::size_t i = 0; i < once.Pack.Size(); ++i)
+    {
+      if (!window.Contains(once.Pack.Centre(i)))
+      {
+        throw std::invalid_argument(ruc::Text("Line ", once.Line[i],
+          ": BoxOrigin and BoxSize require every centre inside the box, got (", once.Pack.X[i],
+          ", ", once.Pack.Y[i], ", ", once.Pack.Z[i], ") outside the ", window.Describe(), "."));
+      }
+    }
+    if (ghosts > 0)
+    {
+      vtkWarningMacro("Sphere Pack Reader: left " << ghosts << " of " << copies.size()
+                                                  << " rows out as periodic copies of others.");
+    }
+    spheres = std::move(once);
+    PackData::AddWindow(output, window);
+    PackData::AddField(
+      output, "NumberOfGhosts", std::vector<long long>{ static_cast<long long>(ghosts) });
+  }
+  PackData::FillPolyData(spheres.Pack, output);
+  PackData::AddField(output, "LengthUnit", this->LengthUnit);
+}
+
+void vtkRUCSpherePackReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "RadiusColumn: " << this->RadiusColumn << "\n";
+  os << indent << "RadiusIsDiameter: " << this->RadiusIsDiameter << "\n";
+  os << indent << "Scale: " << this->Scale << "\n";
+  os << indent << "SkipLines: " << this->SkipLines << "\n";
+  os << indent << "LengthUnit: " << this->LengthUnit << "\n";
+  os << indent << "BoxOrigin: " << this->BoxOrigin[0] << " " << this->BoxOrigin[1] << " "
+     << this->BoxOrigin[2] << "\n";
+  os << indent << "BoxSize: " << this->BoxSize[0] << " " << this->BoxSize[1] << " "
+     << this->BoxSize[2] << "\n";
+  os << indent << "BoxPeriodic: " << this->BoxPeriodic[0] << " " << this->BoxPeriodic[1] << " "
+     << this->BoxPeriodic[2] << "\n";
+}

@@ -1,0 +1,346 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellSearch.h"
+
+#include "CheckpointFile.h"
+#include "RankCommunicator.h"
+#include "ruc/Reconstruction/SearchCheckpoint.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+namespace
+{
+// The two ways to search, under the same names
+struct ByGradient
+{
+  using Settings = ruc::GradientSearchSettings;
+  using State = ruc::GradientState;
+  static const Settings& Of(const CellSearch::Settings& settings) { return settings.Gradient; }
+  static State Read(const std::string& bytes, const ruc::SearchKey& key)
+  {
+    return ruc::ReadGradientCheckpoint(bytes, key);
+  }
+  static void Run(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
+    const Settings& settings, RankCommunicator& ranks,
+    const std::function<bool(const ruc::SearchState&)>& carryOn, const State* resume,
+    const std::function<void(const State&)>& save, CellSearch::FoundCell& found)
+  {
+    found.Cell = ruc::SearchByGradient(contents, target, settings, ranks, carryOn, resume, save);
+    const double start = found.Cell.StartObjective, end = found.Cell.Objective;
+    found.Before = { start, start, start };
+    found.After = { end, end, end };
+  }
+};
+
+struct ByPopulation
+{
+  using Settings = ruc::PopulationSettings;
+  using State = ruc::PopulationState;
+  static const Settings& Of(const CellSearch::Settings& settings) { return settings.Population; }
+  static State Read(const std::string& bytes, const ruc::SearchKey& key)
+  {
+    return ruc::ReadPopulationCheckpoint(bytes, key);
+  }
+  static void Run(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
+    const Settings& settings, RankCommunicator& ranks,
+    const std::function<bool(const ruc::SearchState&)>& carryOn, const State* resume,
+    const std::function<void(const State&)>& save, CellSearch::FoundCell& found)
+  {
+    ruc::PopulationResult result =
+      ruc::SearchByPopulation(contents, target, settings, ranks, carryOn, resume, save);
+    found.Cell = std::move(result.Best);
+    found.Before = result.Before;
+    found.After = result.After;
+  }
+};
+
+CellSearch::FoundCell NewCell(int number, const ruc::TwoPointProbability& target)
+{
+  const ruc::TwoPointProbability none(target.Modes, target.Lags);
+  return { number, { {}, ruc::Window(), 0.0, 0.0, {}, 0, {}, none, {} }, {}, {} };
+}
+
+// All that Find returns of a cell as numbers, but EndedBy and what follows from the contents
+class Numbers
+{
+public:
+  std::vector<double> Values;
+
+  // Either appends a value, or takes the next one
+  template <class Number>
+  void Pass(Number& value)
+  {
+    if (this->Taking)
+    {
+      value = static_cast<Number>(this->Values[this->Next++]);
+    }
+    else
+    {
+      this->Values.push_back(static_cast<double>(value));
+    }
+  }
+  void Pass(ruc::ObjectiveRange& range)
+  {
+    this->Pass(range.Minimum);
+    this->Pass(range.Mean);
+    this->Pass(range.Maximum);
+  }
+  void Pass(std::vector<double>& values)
+  {
+    auto size = static_cast<double>(values.size());
+    this->Pass(size);
+    values.resize(static_cast<std::size_t>(size));
+    for (double& value : values)
+    {
+      this->Pass(value);
+    }
+  }
+  void Pass(std::vector<ruc::SearchState>& states)
+  {
+    auto size = static_cast<double>(states.size());
+    this->Pass(size);
+    states.resize(static_cast<std::size_t>(size));
+    for (ruc::SearchState& state : states)
+    {
+      auto phase =
+        std::find(std::begin(ruc::SearchPhases), std::end(ruc::SearchPhases), state.Phase) -
+        std::begin(ruc::SearchPhases);
+      this->Pass(phase);
+      state.Phase = ruc::SearchPhases[phase];
+      this->Pass(state.Iteration);
+      this->Pass(state.Objective);
+      this->Pass(state.OverlapPercent);
+    }
+  }
+  void Pass(CellSearch::FoundCell& found, std::vector<double>& centres)
+  {
+    ruc::UnitCell& cell = found.Cell;
+    this->Pass(found.Before);
+    this->Pass(found.After);
+    this->Pass(centres);
+    this->Pass(cell.Objective);
+    this->Pass(cell.StartObjective);
+    this->Pass(cell.Overlap.Percent);
+    this->Pass(cell.Overlap.Pairs);
+    this->Pass(cell.Overlap.Deepest);
+    this->Pass(cell.Iterations);
+    this->Pass(cell.Convergence);
+    this->Pass(cell.Probability.Fractions);
+    for (std::vector<double>& values : cell.Probability.Values)
+    {
+      this->Pass(values);
+    }
+  }
+  void Take() { this->Taking = true; }
+
+private:
+  bool Taking = false;
+  std::size_t Next = 0;
+};
+
+template <class Method>
+class Searches
+{
+public:
+  Searches(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
+    const CellSearch::Settings& settings, const CellSearch::Callbacks& callbacks,
+    RankCommunicator& ranks)
+    : Contents(contents)
+    , Target(target)
+    , Settings(settings)
+    , Callbacks(callbacks)
+    , Ranks(ranks)
+  {
+  }
+
+  std::vector<CellSearch::FoundCell> Run()
+  {
+    this->ReadCheckpoints();
+    std::int64_t stopped = 0;
+    for (Search& search : this->Rounds)
+    {
+      search.Begun = stopped == 0;
+      if (search.Begun)
+      {
+        stopped = this->RunOne(search);
+        this->Ranks.Sum(&stopped, 1);
+      }
+    }
+    return this->Gather();
+  }
+
+private:
+  // The cell that this rank works on in a round
+  struct Search
+  {
+    int Number;
+    std::unique_ptr<RankCommunicator> Group; // the ranks that work on it
+    typename Method::Settings Settings;
+    CheckpointFile File;
+    std::optional<typename Method::State> State; // to resume from; later the last
+    CellSearch::FoundCell Found;
+    bool Begun;
+  };
+
+  // What is wrong with one of them must be known to all groups before any begins
+  void ReadCheckpoints()
+  {
+    std::string error;
+    const int cells = this->Settings.NumberOfCells, ranks = this->Ranks.Size();
+    for (int first = 0; first < cells; first += ranks)
+    {
+      const int group = this->Ranks.Rank() % std::min(cells - first, ranks);
+      const int number = first + group;
+      typename Method::Settings settings = Method::Of(this->Settings);
+      settings.Seed += static_cast<std::uint32_t>(number);
+      std::string name = this->Settings.CheckpointFile;
+      if (cells > 1 && !name.empty())
+      {
+        name += "." + std::to_string(number + 1);
+      }
+      this->Rounds.push_back({ number, this->Ranks.Split(group), settings,
+        CheckpointFile(name, this->Settings.CheckpointInterval), std::nullopt,
+        NewCell(number, this->Target), false });
+      Search& search = this->Rounds.back();
+      try
+      {
+        const std::string bytes = search.File.Read(*search.Group);
+        if (!bytes.empty())
+        {
+          search.State = Method::Read(bytes, this->KeyOf(search));
+        }
+      }
+      catch (const std::invalid_argument& e)
+      {
+        error = error.empty() ? "CheckpointFile '" + name + "': " + e.what() : error;
+      }
+    }
+    this->Ranks.ThrowIfAny(error);
+  }
+
+  ruc::SearchKey KeyOf(const Search& search) const
+  {
+    return ruc::MakeKey(this->Contents, this->Target, search.Settings);
+  }
+
+  // Whether it was stopped
+  bool RunOne(Search& search)
+  {
+    const bool first = search.Group->Rank() == 0;
+    const ruc::SearchKey key = this->KeyOf(search);
+    const std::optional<typename Method::State> resume = std::move(search.State);
+    search.State.reset();
+    RankSignal signal(this->Ranks);
+    std::string reason;
+    Method::Run(
+      this->Contents, this->Target, search.Settings, *search.Group,
+      [&](const ruc::SearchState& state)
+      {
+        if (!first)
+        {
+          return true;
+        }
+        // Some reasons are seen on the lowest rank alone
+        reason = this->Callbacks.StopReason(search.Number, state);
+        if (reason.empty())
+        {
+          reason = signal.Heard();
+        }
+        return reason.empty();
+      },
+      resume ? &*resume : nullptr,
+      [&](const typename Method::State& state)
+      {
+        if (first && search.File.IsWanted())
+        {
+          search.State = state;
+          if (search.File.IsDue())
+          {
+            this->Write(search, key);
+          }
+        }
+      },
+      search.Found);
+    if (search.State)
+    {
+      this->Write(search, key);
+      search.State.reset();
+    }
+    signal.Close([&]()
+      { return this->Callbacks.StopReason(search.Number, search.Found.Cell.Convergence.back()); });
+    const bool stopped = search.Found.Cell.EndedBy == "Stopped";
+    if (stopped)
+    {
+      search.Found.Cell.EndedBy = search.Group->FirstText(reason);
+    }
+    return stopped;
+  }
+
+  void Write(Search& search, const ruc::SearchKey& key)
+  {
+    const std::string error = search.File.Write(ruc::WriteCheckpoint(*search.State, key));
+    if (!error.empty() && !this->Warned)
+    {
+      this->Warned = true;
+      this->Callbacks.Warn("checkpoint not written, the last good one remains: " + error);
+    }
+  }
+
+  // The cells of all groups on every rank
+  std::vector<CellSearch::FoundCell> Gather()
+  {
+    std::vector<CellSearch::FoundCell> all;
+    for (int number = 0; number < this->Settings.NumberOfCells; ++number)
+    {
+      Search& search = this->Rounds[number / this->Ranks.Size()];
+      Search* own = search.Number == number && search.Group->Rank() == 0 ? &search : nullptr;
+      const std::string endedBy =
+        this->Ranks.FirstText(own && own->Begun ? own->Found.Cell.EndedBy : "");
+      if (endedBy.empty()) // not begun
+      {
+        continue;
+      }
+      Numbers numbers;
+      std::vector<double> centres;
+      if (own)
+      {
+        centres = ruc::CentresOf(own->Found.Cell.Pack);
+        numbers.Pass(own->Found, centres);
+      }
+      auto size = static_cast<std::int64_t>(numbers.Values.size());
+      this->Ranks.Sum(&size, 1);
+      numbers.Values.resize(size, 0.0);
+      this->Ranks.Share(numbers.Values.data(), numbers.Values.size());
+      numbers.Take();
+      CellSearch::FoundCell found = NewCell(number, this->Target);
+      numbers.Pass(found, centres);
+      found.Cell.Pack = this->Contents.MakePack(centres.data());
+      found.Cell.Box = this->Contents.MakeBox();
+      found.Cell.EndedBy = endedBy;
+      all.push_back(std::move(found));
+    }
+    return all;
+  }
+
+  const ruc::CellContents& Contents;
+  const ruc::TwoPointProbability& Target;
+  const CellSearch::Settings& Settings;
+  const CellSearch::Callbacks& Callbacks;
+  RankCommunicator& Ranks;
+  std::vector<Search> Rounds;
+  bool Warned = false;
+};
+}
+
+std::vector<CellSearch::FoundCell> CellSearch::Find(const ruc::CellContents& contents,
+  const ruc::TwoPointProbability& target, const Settings& settings, const Callbacks& callbacks,
+  RankCommunicator& ranks)
+{
+  return settings.ByPopulation
+    ? Searches<ByPopulation>(contents, target, settings, callbacks, ranks).Run()
+    : Searches<ByGradient>(contents, target, settings, callbacks, ranks).Run();
+}

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Reconstruction/GradientSearch.h"
+#include "ruc/Reconstruction/Population/PopulationSearch.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class RankCommunicator;
+
+/** The search for one or more cells with the same contents and target, and their checkpoints. */
+namespace CellSearch
+{
+struct Settings
+{
+  bool ByPopulation = false;
+  ruc::GradientSearchSettings Gradient;
+  ruc::PopulationSettings Population;
+  int NumberOfCells = 1;            // >= 1; cell n, from 0, has the seed of the settings plus n
+  std::string CheckpointFile;       // of one cell; of several this is followed by "." and n + 1
+  double CheckpointInterval = 60.0; // seconds
+};
+
+struct FoundCell
+{
+  int Number = 0; // from 0
+  ruc::UnitCell Cell;
+  // F2 of the population before and after; of a gradient search that of the start and of the cell
+  ruc::ObjectiveRange Before, After;
+};
+
+/** What the search asks and tells on the first rank of every group. */
+struct Callbacks
+{
+  /** Why the search should end now; empty to carry on. `cell` counts from 0. */
+  std::function<std::string(int cell, const ruc::SearchState& state)> StopReason;
+  /** That a checkpoint could not be written, once. */
+  std::function<void(const std::string& text)> Warn;
+};
+
+/**
+ * Collective: all cells in order, the same on every rank and for any number of ranks. They are
+ * found in rounds: one on each rank as long as there are as many left as ranks, the rest in as many
+ * groups of ranks. After a round in which one was stopped no other begins, so that cells may be
+ * missing; there is at least one. EndedBy of a cell that was stopped is the reason.
+ *
+ * A search goes on from its checkpoint where the file is there. Throws std::invalid_argument, the
+ * same on every rank, for a checkpoint that is not of this search.
+ */
+std::vector<FoundCell> Find(const ruc::CellContents& contents,
+  const ruc::TwoPointProbability& target, const Settings& settings, const Callbacks& callbacks,
+  RankCommunicator& ranks);
+}

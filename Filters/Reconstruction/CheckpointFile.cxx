@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CheckpointFile.h"
+
+#include "RankCommunicator.h"
+#include "ruc/Base/Text.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+CheckpointFile::CheckpointFile(std::string name, double interval)
+  : Name(std::move(name))
+  , Interval(interval)
+  , Last(std::chrono::steady_clock::now())
+{
+}
+
+std::string CheckpointFile::Read(RankCommunicator& ranks) const
+{
+  std::string bytes, error;
+  if (this->IsWanted() && ranks.Rank() == 0 && access(this->Name.c_str(), F_OK) == 0)
+  {
+    std::ostringstream content;
+    std::ifstream file(this->Name, std::ios::binary);
+    content << file.rdbuf(); // fails for an empty file, too, and for a folder
+    bytes = content.str();
+    if (bytes.empty())
+    {
+      error = ruc::Text("CheckpointFile requires a checkpoint or a name that is free, got '",
+        this->Name, "', which is empty or cannot be read.");
+    }
+  }
+  ranks.ThrowIfAny(error);
+  // As whole numbers, which keep every bit
+  auto size = static_cast<std::int64_t>(bytes.size());
+  ranks.Sum(&size, 1);
+  std::vector<std::int64_t> words((size + 7) / 8, 0);
+  std::memcpy(words.data(), bytes.data(), bytes.size());
+  ranks.Sum(words.data(), words.size());
+  bytes.resize(size);
+  std::memcpy(bytes.data(), words.data(), size);
+  return bytes;
+}
+
+bool CheckpointFile::IsDue() const
+{
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - this->Last;
+  return this->IsWanted() && passed.count() >= this->Interval;
+}
+
+std::string CheckpointFile::Write(const std::string& bytes)
+{
+  this->Last = std::chrono::steady_clock::now();
+  const std::string next = this->Name + ".new";
+  const int file = open(next.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0)
+  {
+    return ruc::Text("cannot write '", next, "': ", std::strerror(errno));
+  }
+  int error = 0;
+  for (std::size_t done = 0; done < bytes.size() && error == 0;)
+  {
+    const ssize_t written = write(file, bytes.data() + done, bytes.size() - done);
+    if (written > 0)
+    {
+      done += written;
+    }
+    else if (errno != EINTR)
+    {
+      error = errno;
+    }
+  }
+  if (error == 0 && fsync(file) != 0)
+  {
+    error = errno;
+  }
+  if (close(file) != 0 && error == 0)
+  {
+    error = errno;
+  }
+  if (error == 0 && std::rename(next.c_str(), this->Name.c_str()) != 0)
+  {
+    error = errno;
+  }
+  if (error != 0)
+  {
+    unlink(next.c_str());
+    return ruc::Text("cannot write '", next, "': ", std::strerror(error));
+  }
+  return {};
+}

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Statistics/Results/TwoPointProbability.h"
+#include "ruc/Statistics/ThirdOrder/ThreePointProbability.h"
+
+class vtkTable;
+
+/** The tables of vtkRUCThreePointProbability, whose columns are documented there. */
+namespace ThreePointTables
+{
+void FillLimits(const ruc::ThreePointProbability& probability,
+  const ruc::TwoPointProbability& twoPoint, vtkTable* curves, vtkTable* checks);
+void FillThirdOrder(const ruc::ThreePointProbability& probability, vtkTable* table);
+}

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Statistics/PairSums/DirectionalProbability.h"
+#include "ruc/Statistics/PairSums/RadialDistribution.h"
+#include "ruc/Statistics/Results/TwoPointChecks.h"
+#include "ruc/Statistics/Sampling/ChordLengths.h"
+#include "ruc/Statistics/Sampling/SampledSums.h"
+
+#include <vector>
+
+class vtkTable;
+
+/** The tables of vtkRUCTwoPointProbability, whose columns are documented there. */
+namespace TwoPointTables
+{
+/** Errors may be empty, of an exact method. */
+void FillProbabilities(const ruc::SampledTwoPoint& measured, vtkTable* table);
+void FillChecks(const ruc::TwoPointProbability& probability,
+  const std::vector<ruc::TwoPointCheck>& checks, vtkTable* table);
+void FillGradients(const ruc::TwoPointProbability& probability, vtkTable* table);
+void FillIsotropy(const ruc::DirectionalProbability& directional, vtkTable* table);
+void FillDirections(const ruc::DirectionalProbability& directional, vtkTable* table);
+void FillChordLengths(const ruc::ChordLengths& chords, vtkTable* table);
+void FillRadialDistribution(const ruc::RadialDistribution& distribution, vtkTable* table);
+void FillAutocovariance(const ruc::TwoPointProbability& probability, vtkTable* table);
+}

@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRUCThreePointProbability.h"
+
+#include "ImageSlab.h"
+#include "PackData.h"
+#include "PackEstimate.h"
+#include "ProgressReport.h"
+#include "RankCommunicator.h"
+#include "ThreePointTables.h"
+#include "TwoPointSum.h"
+#include "ruc/Base/Text.h"
+#include "ruc/Estimates/Estimates.h"
+#include "ruc/Particles/PackOverlap.h"
+#include "ruc/Statistics/Sampling/ChordSampling.h"
+#include "ruc/Statistics/Sampling/FanSampling.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkRUCThreePointProbability);
+
+namespace
+{
+constexpr double Megabyte = 1e6;
+constexpr int LinesForLimits = 20000;
+}
+
+vtkRUCThreePointProbability::vtkRUCThreePointProbability()
+{
+  this->SetNumberOfOutputPorts(4);
+}
+
+int vtkRUCThreePointProbability::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == PROBABILITIES ? "vtkImageData" : "vtkTable");
+  return 1;
+}
+
+int vtkRUCThreePointProbability::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* image = outputs->GetInformationObject(PROBABILITIES);
+  const int lags = std::max(this->NumberOfLags, 0);
+  const int directions = std::max(this->NumberOfDirections, 1);
+  const int extent[6] = { 0, lags, 0, lags, 0, directions / 2 };
+  image->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  image->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
+  // Known before the pack is only what was set; the data say it in any case
+  const double spacing = this->MaximumLag > 0.0 && lags > 0 ? this->MaximumLag / lags : 1.0;
+  image->Set(vtkDataObject::SPACING(), spacing, spacing, 360.0 / directions);
+  return this->Superclass::RequestInformation(request, inputs, outputs);
+}
+
+double vtkRUCThreePointProbability::EstimateMemory(
+  std::size_t triples, bool bounded, int ranks) const
+{
+  const ruc::ThreePointGrid grid = { { 1.0, this->NumberOfLags }, this->NumberOfDirections };
+  const double image = 8.0 * static_cast<double>(grid.Size()) * triples / ranks;
+  return (ruc::EstimateFanMemory(grid, triples, this->StandardErrors, bounded) +
+           image * (this->StandardErrors ? 2 : 1)) /
+    Megabyte;
+}
+
+double vtkRUCThreePointProbability::GetEstimatedMemory()
+{
+  const RankCommunicator ranks(this->GetController());
+  vtkPointSet* input = vtkPointSet::SafeDownCast(this->GetInputDataObject(0, 0));
+  vtkDataArray* modes = input ? input->GetPointData()->GetArray("Mode") : nullptr;
+  // Without data every mode may be there, unless all are asked for
+  const bool known = modes && modes->GetNumberOfTuples() > 0;
+  const int number = known ? static_cast<int>(modes->GetRange(0)[1]) : 999999;
+  try
+  {
+    if (!known && this->Phases.find("all") != std::string::npos)
+    {
+      throw std::invalid_argument("");
+    }
+    return this->EstimateMemory(ruc::ParseTriples(this->Phases, number).size(), true, ranks.Size());
+  }
+  catch (const std::invalid_argument&)
+  {
+    return 0.0;
+  }
+}
+
+ruc::Estimate vtkRUCThreePointProbability::MakeEstimate()
+{
+  const ruc::PackFigures pack = this->FindFigures();
+  const ruc::ThreePointGrid grid = { TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags,
+                                       std::min((pack.Periodic ? 0.5 : 0.25) * pack.ShortestEdge,
+                                         PackEstimate::AutomaticLag(pack, false))),
+    this->NumberOfDirections };
+  if (this->NumberOfThrows < 1 || grid.Directions < 2 || grid.Directions > ruc::MostFanDirections)
+  {
+    throw std::invalid_argument("There is no such work.");
+  }
+  ruc::Estimate estimate = ruc::EstimatePack(pack);
+  if (this->MaximumLag == 0.0)
+  {
+    estimate.Automatic = ruc::Text("Maximum Lag ", grid.Lags.Maximum());
+  }
+  estimate += ruc::EstimatePairSum(pack, grid.Lags);
+  estimate += ruc::EstimateFans(pack, grid, ruc::ParseTriples(this->Phases, pack.Modes).size(),
+    this->StandardErrors, this->NumberOfThrows);
+  return estimate;
+}
+
+void vtkRUCThreePointProbability::Execute(
+  vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+{
+  ProgressReport report(this, this->GetLabel());
+  const PackData::SharedPack pack =
+    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  const ruc::PackShare& share = pack.Share;
+  const int modes = share.NumberOfModes();
+  const std::vector<ruc::PhaseTriple> triples = ruc::ParseTriples(this->Phases, modes);
+  const std::unique_ptr<ruc::SamplingRegion> region = this->MakeRegion(pack, ranks);
+  const bool periodic = region->IsFullyPeriodic();
+  const double edge = (this->HasMask() ? region->GetBounds() : share.Observed).ShortestEdge();
+  const ruc::ThreePointGrid grid = {
+    TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags,
+      std::min((periodic ? 0.5 : 0.25) * edge, ruc::LargestFanLag(*region))),
+    this->NumberOfDirections
+  };
+  ruc::FanSettings settings;
+  settings.Seed = this->GetCheckedSeed();
+  settings.Throws = this->NumberOfThrows;
+  settings.WithErrors = this->StandardErrors;
+  ruc::CheckFans(*region, grid, settings);
+  const double memory = this->EstimateMemory(triples.size(), !periodic, ranks.Size());
+  if (!(memory <= this->MemoryLimit))
+  {
+    throw std::invalid_argument(ruc::Text("MemoryLimit requires at least ", std::ceil(memory),
+      " MB on every rank for ", triples.size(), triples.size() == 1 ? " triple" : " triples",
+      " of phases, ", grid.Lags.Count, " lags and ", grid.Angles(), " angles",
+      this->StandardErrors ? " with standard errors" : "", ", got ", this->MemoryLimit, "."));
+  }
+  const auto progress = [&](double done, const std::string& text)
+  {
+    return ranks.Rank() != 0 ||
+      report.Update(done, ruc::Text(text, ", ", std::ceil(memory), " MB on every rank"));
+  };
+  progress(0.0, "tracing");
+
+  const ruc::ThreePointProbability probability =
+    ruc::SampleFans(share.Own, modes, *region, grid, triples, settings, ranks, progress);
+  const bool stopped = probability.GetThrows() < this->NumberOfThrows;
+  if (stopped && ranks.Rank() == 0)
+  {
+    vtkWarningMacro(<< this->GetLabel() << ": stopped after " << probability.GetThrows()
+                    << " throws.");
+  }
+  const double overlap = ruc::MeasureOverlap(share, ranks).Percent;
+  const bool exact = !this->HasMask() && overlap <= PackData::TolerableOverlap;
+  const ruc::TwoPointProbability twoPoint =
+    this->MeasureTwoPoint(pack, exact, *region, grid.Lags, ranks, report);
+
+  this->FillImage(probability, outputs, ranks);
+  if (ranks.Rank() == 0)
+  {
+    ThreePointTables::FillLimits(probability, twoPoint, vtkTable::GetData(outputs, LIMITS),
+      vtkTable::GetData(outputs, CHECKS));
+    ThreePointTables::FillThirdOrder(probability, vtkTable::GetData(outputs, THIRD_ORDER));
+  }
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject* data = outputs->GetInformationObject(port)->Get(vtkDataObject::DATA_OBJECT());
+    PackData::AddField(data, "Method", std::string("Fan Sampling"));
+    PackData::AddField(
+      data, "LimitMethod", std::string(exact ? "Exact Pair Sum" : "Chord Sampling"));
+    PackData::AddField(data, "Phases", this->Phases);
+    PackData::AddField(data, "NumberOfLags", std::vector<long long>{ grid.Lags.Count });
+    PackData::AddField(data, "MaximumLag", std::vector<double>{ grid.Lags.Maximum() });
+    PackData::AddField(data, "NumberOfDirections", std::vector<long long>{ grid.Directions });
+    PackData::AddField(data, "NumberOfThrows",
+      std::vector<long long>{ static_cast<long long>(probability.GetThrows()) });
+    PackData::AddField(data, "Stopped", std::vector<long long>{ stopped });
+    PackData::AddField(data, "EstimatedMemory", std::vector<double>{ memory });
+    PackData::AddPackSummary(data, pack, share.NumberOfSpheres, twoPoint.Fractions, overlap);
+    this->AddRegionSummary(data, *region);
+  }
+}
+
+ruc::TwoPointProbability vtkRUCThreePointProbability::MeasureTwoPoint(
+  const PackData::SharedPack& pack, bool exact, const ruc::SamplingRegion& region,
+  const ruc::LagGrid& lags, RankCommunicator& ranks, ProgressReport& report) const
+{
+  if (exact)
+  {
+    return TwoPointSum::Compute(pack.Share, lags, ranks, report);
+  }
+  ruc::SamplingSettings settings;
+  settings.Seed = this->GetCheckedSeed();
+  settings.Samples = LinesForLimits;
+  return ruc::SampleChords(
+    pack.Share.Own, pack.Share.NumberOfModes(), region, lags, settings, ranks)
+    .Mean;
+}
+
+void vtkRUCThreePointProbability::FillImage(const ruc::ThreePointProbability& probability,
+  vtkInformationVector* outputs, const RankCommunicator& ranks) const
+{
+  const ruc::ThreePointGrid& grid = probability.GetGrid();
+  const double spacing = grid.Lags.Spacing, step = grid.Angle(1);
+  vtkImageData* image = vtkImageData::GetData(outputs, PROBABILITIES);
+  ImageSlab::SetExtent(image, { 0, grid.Lags.Count, 0, grid.Lags.Count, 0, grid.Angles() - 1 },
+    { spacing, spacing, step }, ranks);
+  for (std::size_t n = 0; n < probability.GetTriples().size(); ++n)
+  {
+    const std::string name = ruc::TripleName(probability.GetTriples()[n], probability.GetModes());
+    ImageSlab::AddArray(
+      image, name, [&](int i, int j, int t) { return probability.Value(n, i, j, t); });
+    if (probability.HasErrors())
+    {
+      ImageSlab::AddArray(
+        image, name + "_error", [&](int i, int j, int t) { return probability.Error(n, i, j, t); });
+    }
+  }
+  outputs->GetInformationObject(PROBABILITIES)
+    ->Set(vtkDataObject::SPACING(), spacing, spacing, step);
+}
+
+void vtkRUCThreePointProbability::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Phases: " << this->Phases << "\n";
+  os << indent << "MaximumLag: " << this->MaximumLag << "\n";
+  os << indent << "NumberOfLags: " << this->NumberOfLags << "\n";
+  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
+  os << indent << "NumberOfThrows: " << this->NumberOfThrows << "\n";
+  os << indent << "StandardErrors: " << this->StandardErrors << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+}

@@ -1,0 +1,570 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Statistics/ThirdOrder/ThreePointProbability.h"
+
+#include "Measure.h"
+#include "Oracles.h"
+#include "SampledComparison.h"
+#include "ruc/Statistics/Sampling/FanSampling.h"
+
+#include <limits>
+#include <map>
+#include <set>
+
+namespace
+{
+using oracle::Pi;
+using ruc::FanSettings;
+using ruc::ParseTriples;
+using ruc::PhaseTriple;
+using ruc::SamplingRegion;
+using ruc::SpherePack;
+using ruc::ThreePointGrid;
+using ruc::ThreePointProbability;
+using ruc::TwoPointProbability;
+using ruc::Window;
+
+ThreePointProbability Fans(const SpherePack& pack, int modes, const SamplingRegion& region,
+  const ThreePointGrid& grid, const std::vector<PhaseTriple>& triples, const FanSettings& settings)
+{
+  const OneThread alone;
+  ruc::Communicator serial;
+  return ruc::SampleFans(pack, modes, region, grid, triples, settings, serial);
+}
+
+/** S_rsq of all triples, s > q included, by name of the phases. */
+class AllTriples
+{
+public:
+  AllTriples(const SpherePack& pack, int modes, const SamplingRegion& region,
+    const ThreePointGrid& grid, const FanSettings& settings)
+    : Phases(modes + 1)
+    , Sampled(Fans(pack, modes, region, grid, List(modes + 1), settings))
+  {
+  }
+
+  double S(int r, int s, int q, int k1, int k2, int t) const
+  {
+    return this->Sampled.Value(this->Number(r, s, q), k1, k2, t);
+  }
+  double Error(int r, int s, int q, int k1, int k2, int t) const
+  {
+    return this->Sampled.Error(this->Number(r, s, q), k1, k2, t);
+  }
+
+private:
+  static std::vector<PhaseTriple> List(int phases)
+  {
+    std::vector<PhaseTriple> list;
+    for (int r = 0; r < phases; ++r)
+    {
+      for (int s = 0; s < phases; ++s)
+      {
+        for (int q = 0; q < phases; ++q)
+        {
+          list.push_back({ r, s, q });
+        }
+      }
+    }
+    return list;
+  }
+  std::size_t Number(int r, int s, int q) const
+  {
+    return (r * this->Phases + s) * this->Phases + q;
+  }
+
+  int Phases;
+  ThreePointProbability Sampled;
+};
+
+template <class Visit>
+void ForEachTriple(int phases, Visit&& visit)
+{
+  for (int r = 0; r < phases; ++r)
+  {
+    for (int s = 0; s < phases; ++s)
+    {
+      for (int q = 0; q < phases; ++q)
+      {
+        visit(r, s, q);
+      }
+    }
+  }
+}
+
+template <class Visit>
+void ForEachPlace(const ThreePointGrid& grid, Visit&& visit)
+{
+  for (int t = 0; t < grid.Angles(); ++t)
+  {
+    for (int k2 = 0; k2 < grid.Points(); ++k2)
+    {
+      for (int k1 = 0; k1 < grid.Points(); ++k1)
+      {
+        visit(k1, k2, t);
+      }
+    }
+  }
+}
+
+// A periodic pack without overlap, of two modes, and all its triples
+struct Periodic
+{
+  Window Box = Window::MakeBox({ -3, 1, 2 }, { 6.0, 5.0, 5.5 }, { true, true, true });
+  SpherePack Pack = oracle::RelaxedPack({ 10, 16 }, { 0.9, 0.6 }, Box, 3);
+  ThreePointGrid Grid = { { 0.45, 6 }, 8 };
+  AllTriples All{ Pack, 2, SamplingRegion(Box, 0.0), Grid, { 2, 6400, true } };
+};
+
+const Periodic& PeriodicMedium()
+{
+  static const Periodic medium;
+  return medium;
+}
+
+struct Bounded
+{
+  Window Box = Window::MakeBox({ 0, 0, 0 }, { 6.0, 5.0, 5.5 }, { false, true, false });
+  SpherePack Pack = oracle::RandomPack({ 10, 20 }, { 0.9, 0.6 }, Box, 3);
+  ThreePointGrid Grid = { { 0.3, 6 }, 8 };
+  AllTriples All{ Pack, 2, SamplingRegion(Box, 0.9), Grid, { 2, 3200, false } };
+};
+
+// The limits (10) are whole-number identities of the counts of one run: whatever the region, a
+// point at r = 0 is the centre. Ratios of whole numbers and of their doubles are the same number.
+template <class Medium>
+void ExpectLimits(const Medium& medium)
+{
+  const ThreePointGrid& grid = medium.Grid;
+  const auto& all = medium.All;
+  double greatest = 0.0;
+  ForEachTriple(3,
+    [&](int r, int s, int q)
+    {
+      for (int t = 0; t < grid.Angles(); ++t)
+      {
+        for (int k = 0; k < grid.Points(); ++k)
+        {
+          // r1 = 0: S_rq delta_rs at every angle; r2 = 0: S_rs delta_rq
+          const double rq = all.S(r, r, q, 0, k, 0);
+          EXPECT_EQ(all.S(r, s, q, 0, k, t), s == r ? rq : 0.0);
+          EXPECT_EQ(all.S(r, q, s, k, 0, t), s == r ? rq : 0.0);
+          // r1 = r2 at theta = 0: S_rs delta_sq
+          EXPECT_EQ(all.S(r, s, q, k, k, 0), s == q ? all.S(r, r, s, 0, k, 0) : 0.0);
+          greatest = std::max(greatest, rq);
+        }
+        // Both: c_r
+        EXPECT_EQ(all.S(r, s, q, 0, 0, t), r == s && r == q ? all.S(r, r, r, 0, 0, 0) : 0.0);
+      }
+    });
+  EXPECT_GT(greatest, 0.3);
+}
+
+// The sum over q is S_rs of the same points, at every r2 and angle: a sum of three doubles
+template <class Medium>
+void ExpectSumOverPhase(const Medium& medium)
+{
+  ForEachPlace(medium.Grid,
+    [&](int k1, int k2, int t)
+    {
+      double total = 0.0;
+      for (int r = 0; r < 3; ++r)
+      {
+        for (int s = 0; s < 3; ++s)
+        {
+          double sum = 0.0;
+          for (int q = 0; q < 3; ++q)
+          {
+            sum += medium.All.S(r, s, q, k1, k2, t);
+          }
+          total += sum;
+          if (medium.Box.IsFullyPeriodic())
+          {
+            EXPECT_NEAR(sum, medium.All.S(r, s, r, k1, 0, t), 1e-15)
+              << r << " " << s << " " << k1 << " " << k2 << " " << t;
+          }
+        }
+      }
+      // With a border the points that count depend on both lags, but are in one phase or another
+      EXPECT_NEAR(total, 1.0, 2e-15);
+    });
+}
+}
+
+TEST(ThreeSpheres, UnionHasItsClosedForms)
+{
+  constexpr double a = 0.8, sphere = 4.0 / 3.0 * Pi * a * a * a;
+  const auto lens = [&](double d) { return oracle::LensVolume(a, a, d); };
+  for (double theta : { 0.0, 0.4, 1.0, Pi / 2.0, 2.5, Pi })
+  {
+    // All three or two coincide
+    EXPECT_NEAR(oracle::UnionOfThree(a, 0.0, 0.0, theta), sphere, 1e-14);
+    EXPECT_NEAR(oracle::CommonToThree(a, 0.0, 0.0, theta), sphere, 1e-14);
+    for (double d : { 0.01, 0.5, 1.3, 1.6, 3.0 })
+    {
+      EXPECT_NEAR(oracle::UnionOfThree(a, d, 0.0, theta), 2.0 * sphere - lens(d), 1e-14);
+      EXPECT_NEAR(oracle::UnionOfThree(a, 0.0, d, theta), 2.0 * sphere - lens(d), 1e-14);
+      // And nearly so: a volume changes by no more than the surface times the displacement
+      EXPECT_NEAR(oracle::UnionOfThree(a, d, 1e-9, theta), 2.0 * sphere - lens(d), 1e-8);
+    }
+  }
+  for (double d : { 0.2, 0.9, 1.5, 2.0 })
+  {
+    EXPECT_NEAR(oracle::UnionOfThree(a, d, d, 0.0), 2.0 * sphere - lens(d), 1e-13);
+    // In a line; the middle one holds what the outer ones share
+    EXPECT_NEAR(
+      oracle::UnionOfThree(a, d, 1.2 * d, Pi), 3.0 * sphere - lens(d) - lens(1.2 * d), 1e-13);
+    EXPECT_NEAR(
+      oracle::UnionOfThree(a, d, 2.2 * d, 0.0), 3.0 * sphere - lens(d) - lens(1.2 * d), 1e-13);
+    EXPECT_NEAR(oracle::CommonToThree(a, d, 2.2 * d, 0.0), lens(2.2 * d), 1e-13);
+  }
+  // Far apart: all, or one from the two others
+  EXPECT_NEAR(oracle::UnionOfThree(a, 2.0, 3.0, 1.5), 3.0 * sphere, 1e-14);
+  EXPECT_NEAR(oracle::UnionOfThree(a, 1.0, 5.0, 1.5), 3.0 * sphere - lens(1.0), 1e-14);
+  // Three lenses that have nothing in common
+  const double third = 2.0 * 1.5 * std::sin(Pi / 6.0);
+  EXPECT_NEAR(oracle::UnionOfThree(a, 1.5, 1.5, Pi / 3.0), 3.0 * sphere - 3.0 * lens(third), 1e-13);
+}
+
+TEST(ThreeSpheres, UnionAgreesWithQuadrature)
+{
+  // The height of the union over the points of the plane, 2 sqrt(a^2 - distance^2) to the nearest
+  // corner, cut at every kink of the integrand along y. Along x kinks are at the ends of the discs,
+  // where two circles cross, and at the circumcentre.
+  constexpr double a = 1.0;
+  oracle::Uniform random(5);
+  for (int n = 0; n < 8; ++n)
+  {
+    const double r1 = random(0.05, 2.3), r2 = random(0.05, 2.3), theta = random(0.02, Pi - 0.02);
+    const double corners[3][2] = { { 0.0, 0.0 }, { r1, 0.0 },
+      { r2 * std::cos(theta), r2 * std::sin(theta) } };
+    std::vector<double> kinks;
+    for (int i = 0; i < 3; ++i)
+    {
+      kinks.push_back(corners[i][0] - a);
+      kinks.push_back(corners[i][0] + a);
+      const double *p = corners[i], *o = corners[(i + 1) % 3];
+      const double x = o[0] - p[0], y = o[1] - p[1], d = std::hypot(x, y);
+      const double half = std::sqrt(std::max(a * a - 0.25 * d * d, 0.0));
+      kinks.push_back(p[0] + 0.5 * x - half * y / d);
+      kinks.push_back(p[0] + 0.5 * x + half * y / d);
+    }
+    const double middleY = (0.5 * r2 - 0.5 * r1 * std::cos(theta)) / std::sin(theta);
+    kinks.push_back(0.5 * r1);
+    const auto [low, high] = std::minmax_element(kinks.begin(), kinks.end());
+    const double from = *low, to = *high;
+    const double volume = oracle::Integrate(from, to, kinks,
+      [&](double x)
+      {
+        std::vector<double> ends = { middleY };
+        for (int i = 0; i < 3; ++i)
+        {
+          const double *p = corners[i], *o = corners[(i + 1) % 3];
+          const double half = std::sqrt(std::max(a * a - (x - p[0]) * (x - p[0]), 0.0));
+          ends.push_back(p[1] - half);
+          ends.push_back(p[1] + half);
+          // The bisector of two corners
+          const double dx = o[0] - p[0], dy = o[1] - p[1];
+          if (std::abs(dy) > 1e-9)
+          {
+            ends.push_back(0.5 * (p[1] + o[1]) - dx / dy * (x - 0.5 * (p[0] + o[0])));
+          }
+        }
+        return oracle::Integrate(-4.0, 4.0, ends,
+          [&](double y)
+          {
+            double height2 = 0.0;
+            for (const double* p : corners)
+            {
+              height2 =
+                std::max(height2, a * a - (x - p[0]) * (x - p[0]) - (y - p[1]) * (y - p[1]));
+            }
+            return 2.0 * std::sqrt(height2);
+          });
+      });
+    // Both to rounding, through sums of cancelling terms of the order of 10
+    EXPECT_NEAR(oracle::UnionOfThree(a, r1, r2, theta), volume, 1e-12)
+      << r1 << " " << r2 << " " << theta;
+  }
+}
+
+TEST(PhaseTriples, AreParsed)
+{
+  using List = std::vector<PhaseTriple>;
+  EXPECT_EQ(
+    ParseTriples("3 5 5; 7 7 5; m m m", 7), (List{ { 2, 4, 4 }, { 6, 6, 4 }, { 7, 7, 7 } }));
+  EXPECT_EQ(ParseTriples("1 m 2", 2), (List{ { 0, 2, 1 } }));
+  // What is repeated counts once; the other order of s and q is another function
+  EXPECT_EQ(ParseTriples("1 1 2;1 2 1 ; 1 1 2", 2), (List{ { 0, 0, 1 }, { 0, 1, 0 } }));
+  EXPECT_EQ(ParseTriples("  \t1   1\n1  ", 1), (List{ { 0, 0, 0 } }));
+  EXPECT_EQ(ParseTriples("m m m;", 3), (List{ { 3, 3, 3 } })); // as after any list
+}
+
+TEST(PhaseTriples, AllOfThem)
+{
+  for (int modes : { 1, 2, 3, 9 })
+  {
+    const std::size_t phases = modes + 1;
+    const std::vector<PhaseTriple> all = ParseTriples("all", modes);
+    EXPECT_EQ(all.size(), phases * phases * (phases + 1) / 2);
+    std::set<std::array<int, 3>> different;
+    for (const PhaseTriple& triple : all)
+    {
+      EXPECT_LE(triple.S, triple.Q);
+      for (int phase : { triple.R, triple.S, triple.Q })
+      {
+        EXPECT_GE(phase, 0);
+        EXPECT_LE(phase, modes);
+      }
+      different.insert({ triple.R, std::min(triple.S, triple.Q), std::max(triple.S, triple.Q) });
+    }
+    EXPECT_EQ(different.size(), all.size());
+  }
+  EXPECT_EQ(ParseTriples(" all ", 1), ParseTriples("all", 1));
+}
+
+TEST(PhaseTriples, RefuseBadText)
+{
+  for (const char* text : { "3 5", "3 5 x", "3 5 5 5", "0 1 1", "1e3 1 1", "1 1 9", "-1 1 1",
+         "1.0 1 1", "1 1 M", "m", "all all", "1 1 1; all", "99999999999999999999 1 1", "1,1,1" })
+  {
+    EXPECT_SAYS(ParseTriples(text, 8), "Phases requires triples of phases, 1 to 8 or m, such as");
+  }
+  EXPECT_SAYS(ParseTriples("3 5 5; 3 5 x", 8), "got ' 3 5 x'.");
+  EXPECT_SAYS(ParseTriples("1 1 1;;2 2 2", 8), "got ''.");
+  EXPECT_SAYS(ParseTriples("3 3 3", 2),
+    "Phases requires triples of phases, 1 to 2 or m, such as '1 1 m; m m m', or 'all', got '3 3 "
+    "3'.");
+  EXPECT_SAYS(ParseTriples("", 2), "Phases requires at least one triple of phases, got none.");
+  EXPECT_SAYS(ParseTriples(";", 2), "Phases requires");
+  EXPECT_SAYS(ParseTriples(" ", 2), "Phases requires");
+}
+
+TEST(PhaseTriples, HaveNames)
+{
+  EXPECT_EQ(ruc::TripleName({ 2, 4, 4 }, 9), "S_3_5_5");
+  EXPECT_EQ(ruc::TripleName({ 0, 9, 9 }, 9), "S_1_m_m");
+  EXPECT_EQ(ruc::TripleName({ 11, 0, 12 }, 12), "S_12_1_m");
+}
+
+TEST(ThreePointGrid, OrdersPlacesAndCountsPairs)
+{
+  for (int directions : { 2, 3, 4, 7, 20 })
+  {
+    const ThreePointGrid grid = { { 0.5, 4 }, directions };
+    std::size_t place = 0;
+    ForEachPlace(grid, [&](int k1, int k2, int t) { EXPECT_EQ(grid.PlaceOf(k1, k2, t), place++); });
+    EXPECT_EQ(grid.Size(), place);
+    std::map<int, int> pairs;
+    for (int i = 0; i < directions; ++i)
+    {
+      for (int j = 0; j < directions; ++j)
+      {
+        ++pairs[std::min(std::abs(i - j), directions - std::abs(i - j))];
+      }
+    }
+    ASSERT_EQ(grid.Angles(), static_cast<int>(pairs.size()));
+    for (int t = 0; t < grid.Angles(); ++t)
+    {
+      EXPECT_EQ(grid.RayPairs(t), pairs[t]);
+      EXPECT_DOUBLE_EQ(grid.Angle(t), 360.0 / directions * t);
+    }
+  }
+  // The paper's angles
+  const ThreePointGrid paper = { { 0.5, 4 }, 20 };
+  EXPECT_EQ(paper.Angle(0), 0.0);
+  EXPECT_EQ(paper.Angle(4), 72.0);
+  EXPECT_EQ(paper.Angle(10), 180.0);
+}
+
+TEST(ThreePointProbability, HasItsLimits)
+{
+  ExpectLimits(PeriodicMedium());
+  ExpectLimits(Bounded());
+}
+
+TEST(ThreePointProbability, SumOverAPhase)
+{
+  ExpectSumOverPhase(PeriodicMedium());
+  ExpectSumOverPhase(Bounded());
+}
+
+TEST(ThreePointProbability, AgreesWithTheExactPairSum)
+{
+  // Where it is S_rs: at r2 = 0, and summed over q at any r2 and angle. 9 pairs at 6 lags.
+  const Periodic& medium = PeriodicMedium();
+  const TwoPointProbability exact = Measure(medium.Pack, medium.Box, medium.Grid.Lags);
+  for (int r = 0; r < 3; ++r)
+  {
+    for (int s = 0; s < 3; ++s)
+    {
+      for (int k = 0; k < medium.Grid.Points(); ++k)
+      {
+        const double error = medium.All.Error(r, s, r, k, 0, 2);
+        // 1e-6 for the error of the exact sum
+        EXPECT_NEAR(medium.All.S(r, s, r, k, 0, 2), exact.S(r, s)[k], 4.5 * error + 1e-6)
+          << r << " " << s << " " << k;
+        EXPECT_LT(error, 0.01);
+        double sum = 0.0;
+        for (int q = 0; q < 3; ++q)
+        {
+          sum += medium.All.S(r, s, q, k, 5, 3);
+        }
+        EXPECT_NEAR(sum, exact.S(r, s)[k], 4.5 * error + 1e-6) << r << " " << s << " " << k;
+      }
+    }
+  }
+}
+
+TEST(ThreePointProbability, SwappedPhasesSwapTheLags)
+{
+  const Periodic& periodic = PeriodicMedium();
+  const Bounded bounded;
+  int different = 0;
+  ForEachTriple(3,
+    [&](int r, int s, int q)
+    {
+      ForEachPlace(periodic.Grid,
+        [&](int k1, int k2, int t)
+        {
+          EXPECT_EQ(periodic.All.S(r, s, q, k1, k2, t), periodic.All.S(r, q, s, k2, k1, t));
+          EXPECT_EQ(bounded.All.S(r, s, q, k1, k2, t), bounded.All.S(r, q, s, k2, k1, t));
+          EXPECT_EQ(periodic.All.Error(r, s, q, k1, k2, t), periodic.All.Error(r, q, s, k2, k1, t));
+          different += periodic.All.S(r, s, q, k1, k2, t) != periodic.All.S(r, s, q, k2, k1, t);
+        });
+    });
+  EXPECT_GT(different, 1000);
+}
+
+TEST(ThreePointProbability, SwappedTriplesByThemselves)
+{
+  const Window box = oracle::PeriodicCube(5.0);
+  const SpherePack pack = oracle::RandomPack({ 10, 16 }, { 0.9, 0.6 }, box, 3);
+  const ThreePointGrid grid = { { 0.5, 4 }, 7 };
+  const SamplingRegion region(box, 0.0);
+  const ThreePointProbability up = Fans(pack, 2, region, grid, { { 0, 1, 2 } }, { 1, 200, true });
+  const ThreePointProbability down =
+    Fans(pack, 2, region, grid, { { 2, 2, 2 }, { 0, 2, 1 } }, { 1, 200, true });
+  const ThreePointProbability both =
+    Fans(pack, 2, region, grid, { { 0, 2, 1 }, { 0, 1, 2 } }, { 1, 200, true });
+  ForEachPlace(grid,
+    [&](int k1, int k2, int t)
+    {
+      EXPECT_EQ(up.Value(0, k1, k2, t), down.Value(1, k2, k1, t));
+      EXPECT_EQ(up.Value(0, k1, k2, t), both.Value(1, k1, k2, t));
+      EXPECT_EQ(up.Value(0, k1, k2, t), both.Value(0, k2, k1, t));
+      EXPECT_EQ(up.Error(0, k1, k2, t), down.Error(1, k2, k1, t));
+    });
+}
+
+TEST(ThreePointProbability, MatrixByInclusionAndExclusion)
+{
+  // With the indicator I of the spheres, (1 - I(x)) (1 - I(y)) (1 - I(z)), all from counts of one
+  // run in a periodic box: exact but for the rounding of some hundred sums of numbers up to 1
+  const Periodic& medium = PeriodicMedium();
+  const AllTriples& all = medium.All;
+  constexpr int modes = 2;
+  ForEachPlace(medium.Grid,
+    [&](int k1, int k2, int t)
+    {
+      const auto s = [&](int r, int p, int q) { return all.S(r, p, q, k1, k2, t); };
+      double one[3] = {}, two[3] = {}, three = 0.0;
+      ForEachTriple(modes + 1,
+        [&](int r, int p, int q)
+        {
+          const bool x = r < modes, y = p < modes, z = q < modes;
+          one[0] += x ? s(r, p, q) : 0.0;
+          one[1] += y ? s(r, p, q) : 0.0;
+          one[2] += z ? s(r, p, q) : 0.0;
+          two[0] += x && y ? s(r, p, q) : 0.0;
+          two[1] += x && z ? s(r, p, q) : 0.0;
+          two[2] += y && z ? s(r, p, q) : 0.0;
+          three += x && y && z ? s(r, p, q) : 0.0;
+        });
+      EXPECT_NEAR(s(modes, modes, modes),
+        1.0 - one[0] - one[1] - one[2] + two[0] + two[1] + two[2] - three, 2e-14);
+      // S_r and S_rs of x and y or z are those of any other run: at r2 = 0, r1 = 0
+      double fraction = 0.0, pair = 0.0;
+      for (int r = 0; r < modes; ++r)
+      {
+        fraction += all.S(r, r, r, 0, 0, 0);
+        for (int p = 0; p < modes; ++p)
+        {
+          pair += all.S(r, p, r, k1, 0, 0);
+        }
+      }
+      EXPECT_NEAR(one[0], fraction, 2e-14);
+      EXPECT_NEAR(two[0], pair, 2e-14);
+    });
+}
+
+TEST(ThreePointProbability, MatrixFromExactPairsAndSampledSpheres)
+{
+  // The same identity of the probabilities: S_mmm = 1 - 3 c + the pairs at the three sides of the
+  // triangle, by the exact pair sum, - the sampled triples of spheres. What is off is an error of
+  // S_mmm and of those triples, whose sum is not beyond the sum of the errors.
+  const Periodic& medium = PeriodicMedium();
+  const AllTriples& all = medium.All;
+  const auto pairs = [&](double r)
+  {
+    const TwoPointProbability exact = Measure(medium.Pack, medium.Box, { r, 1 });
+    return exact.S(0, 0)[1] + 2.0 * exact.S(0, 1)[1] + exact.S(1, 1)[1];
+  };
+  double spheres = 0.0;
+  for (double radius : medium.Pack.Radius)
+  {
+    spheres += 4.0 / 3.0 * Pi * radius * radius * radius / medium.Box.Volume();
+  }
+  double greatest = 0.0;
+  for (const auto& [k1, k2, t] : { std::array{ 1, 1, 1 }, { 1, 2, 3 }, { 2, 2, 4 }, { 3, 1, 2 },
+         { 4, 6, 1 }, { 6, 6, 3 }, { 2, 5, 0 } })
+  {
+    const double r1 = 0.45 * k1, r2 = 0.45 * k2, angle = Pi * t / 4.0;
+    const double r3 = std::sqrt(r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * std::cos(angle));
+    double sampled = 0.0, error = all.Error(2, 2, 2, k1, k2, t);
+    for (int n = 0; n < 8; ++n)
+    {
+      sampled += all.S(n / 4, n / 2 % 2, n % 2, k1, k2, t);
+      error += all.Error(n / 4, n / 2 % 2, n % 2, k1, k2, t);
+    }
+    EXPECT_NEAR(all.S(2, 2, 2, k1, k2, t),
+      1.0 - 3.0 * spheres + pairs(r1) + pairs(r2) + pairs(r3) - sampled, 4.0 * error)
+      << k1 << " " << k2 << " " << t;
+    greatest = std::max(greatest, error);
+  }
+  EXPECT_LT(greatest, 0.02);
+}
+
+TEST(ThreePointProbability, IsNoNumberWhereNothingIsKnown)
+{
+  // Three throws of two rays in a cube with lags near half of its edge: the points at the end of
+  // both are hardly ever in it
+  const SamplingRegion region(
+    Window::MakeBox({ 0, 0, 0 }, { 1, 1, 1 }, { false, false, false }), 0.0);
+  const ThreePointGrid grid = { { 0.2497, 2 }, 2 };
+  const SpherePack pack = oracle::RandomPack({ 5 }, { 0.2 }, region.GetBounds(), 1);
+  int known = 0, unknown = 0;
+  for (std::uint32_t seed = 1; seed <= 20; ++seed)
+  {
+    const ThreePointProbability sampled =
+      Fans(pack, 1, region, grid, { { 0, 0, 0 }, { 1, 1, 1 } }, { seed, 3, true });
+    ForEachPlace(grid,
+      [&](int k1, int k2, int t)
+      {
+        const double value = sampled.Value(1, k1, k2, t), error = sampled.Error(1, k1, k2, t);
+        EXPECT_EQ(std::isnan(value), std::isnan(sampled.Value(0, k1, k2, t)));
+        EXPECT_EQ(std::isnan(value), std::isnan(error));
+        EXPECT_TRUE(std::isnan(value) || (value >= 0.0 && value <= 1.0));
+        known += !std::isnan(value);
+        unknown += std::isnan(value);
+      });
+    EXPECT_FALSE(std::isnan(sampled.Value(1, 0, 0, 0)));
+  }
+  EXPECT_GT(known, 100);
+  EXPECT_GT(unknown, 10);
+  // A single batch has no scatter
+  const ThreePointProbability single = Fans(pack, 1, region, grid, { { 1, 1, 1 } }, { 1, 1, true });
+  EXPECT_TRUE(std::isnan(single.Error(0, 0, 0, 0)));
+  EXPECT_TRUE(std::isnan(single.ThirdOrderError(0).Zeta));
+  EXPECT_TRUE(std::isnan(single.ThirdOrderError(0).Eta));
+}
