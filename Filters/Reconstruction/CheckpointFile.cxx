@@ -12,9 +12,16 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 #include <vector>
+
+namespace
+{
+constexpr int MostNames = 100; // tried for a new file
+}
 
 CheckpointFile::CheckpointFile(std::string name, double interval)
   : Name(std::move(name))
@@ -28,14 +35,18 @@ std::string CheckpointFile::Read(RankCommunicator& ranks) const
   std::string bytes, error;
   if (this->IsWanted() && ranks.Rank() == 0 && access(this->Name.c_str(), F_OK) == 0)
   {
-    std::ostringstream content;
-    std::ifstream file(this->Name, std::ios::binary);
-    content << file.rdbuf(); // fails for an empty file, too, and for a folder
-    bytes = content.str();
+    std::error_code ignored;
+    // Opening a pipe would wait for somebody who writes into it
+    if (std::filesystem::is_regular_file(this->Name, ignored))
+    {
+      std::ostringstream content;
+      content << std::ifstream(this->Name, std::ios::binary).rdbuf();
+      bytes = content.str();
+    }
     if (bytes.empty())
     {
       error = ruc::Text("CheckpointFile requires a checkpoint or a name that is free, got '",
-        this->Name, "', which is empty or cannot be read.");
+        this->Name, "', which is no file, is empty or cannot be read.");
     }
   }
   ranks.ThrowIfAny(error);
@@ -59,8 +70,19 @@ bool CheckpointFile::IsDue() const
 std::string CheckpointFile::Write(const std::string& bytes)
 {
   this->Last = std::chrono::steady_clock::now();
-  const std::string next = this->Name + ".new";
-  const int file = open(next.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  // A name that nothing has yet, so that no file of somebody else is written to, nor one that a
+  // link leads to
+  std::string next;
+  int file = -1;
+  for (int number = 0; file < 0 && number < MostNames; ++number)
+  {
+    next = ruc::Text(this->Name, ".new-", getpid(), "-", number);
+    file = open(next.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (file < 0 && errno != EEXIST)
+    {
+      break;
+    }
+  }
   if (file < 0)
   {
     return ruc::Text("cannot write '", next, "': ", std::strerror(errno));

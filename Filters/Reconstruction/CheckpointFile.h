@@ -10,8 +10,9 @@ class RankCommunicator;
 
 /**
  * A file that holds the last state of a search. Rank 0 writes and reads it. A new state goes to a
- * file of its own beside it, with the ending ".new", which takes its place once it is on the disk;
- * whatever happens on the way, the last good state remains.
+ * file of its own beside it, NAME.new- and a number that no file has yet, which takes its place
+ * once it is on the disk; whatever happens on the way, the last good state remains. A search that
+ * is killed while it writes may leave such a file behind.
  */
 class CheckpointFile
 {
@@ -24,7 +25,8 @@ public:
 
   /**
    * Collective: the bytes of the file on every rank; empty where there is no file. Throws
-   * std::invalid_argument, the same on every rank, for a file that cannot be read or is empty.
+   * std::invalid_argument, the same on every rank, for what is no regular file, cannot be read or
+   * is empty.
    */
   std::string Read(RankCommunicator& ranks) const;
 

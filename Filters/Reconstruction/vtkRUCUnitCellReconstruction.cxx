@@ -26,10 +26,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <filesystem>
 #include <iomanip>
 #include <numeric>
 #include <stdexcept>
+#include <system_error>
 
 vtkStandardNewMacro(vtkRUCUnitCellReconstruction);
 
@@ -433,7 +434,8 @@ std::string vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport& r
   {
     return "Time limit";
   }
-  if (!this->StopFile.empty() && std::ifstream(this->StopFile).good())
+  std::error_code ignored;
+  if (!this->StopFile.empty() && std::filesystem::is_regular_file(this->StopFile, ignored))
   {
     return "Stop file";
   }

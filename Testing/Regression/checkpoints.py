@@ -122,6 +122,31 @@ def test_refused():
     print('refused what is no checkpoint', flush=True)
 
 
+def test_neighbours():
+    """Files beside the checkpoint that are not the search's own are left as they are, and what is no regular file hangs nothing."""
+    settings = {'MaximumIterations': 20}
+    expected = run(settings)[1]
+    folder = os.path.join(FOLDER, 'neighbours')
+    os.makedirs(folder)
+    precious, linked, pipe = (os.path.join(folder, name) for name in ('notes.new', 'victim', 'pipe'))
+    for name in (precious, linked):
+        with open(name, 'wb') as file:
+            file.write(b'precious')
+    os.symlink(linked, os.path.join(folder, 'state.new'))
+    os.mkfifo(pipe)
+    os.mkfifo(pipe + '.new')
+    for name in ('notes', 'state'):
+        checkpoint = os.path.join(folder, name)
+        require(run(dict(settings, CheckpointFile=checkpoint, CheckpointInterval=0))[1] == expected, f'a search with {name}')
+        require(os.path.isfile(checkpoint), f'{name} is written')
+    require(content(precious) == content(linked) == b'precious', 'files of others are left as they are')
+    output, result = run(dict(settings, CheckpointFile=pipe))
+    require(result is None and 'CheckpointFile requires' in output, 'a pipe is no checkpoint, got ' + output)
+    for stop in (pipe, folder):
+        require(run(dict(settings, StopFile=stop))[1] == expected, f'{stop} is no file that ends a search')
+    print('left what is not its own', flush=True)
+
+
 def mount(folder, options):
     return subprocess.run(['mount', '-t', 'tmpfs', '-o', options, 'tmpfs', folder], capture_output=True).returncode == 0
 
@@ -164,4 +189,5 @@ if '--own-mounts' not in sys.argv:
 test_kills()
 test_cells()
 test_refused()
+test_neighbours()
 test_disk()
