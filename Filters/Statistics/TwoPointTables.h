@@ -12,7 +12,7 @@
 
 class vtkTable;
 
-/** The tables of vtkRUCTwoPointProbability, whose columns are documented there. */
+/** The tables of the filters of two-point statistics, whose columns are documented there. */
 namespace TwoPointTables
 {
 /** Errors may be empty, of an exact method. */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRUCOnePointProbability.h"
 
+#include "OutputSummary.h"
 #include "PackData.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
@@ -23,6 +24,20 @@ vtkStandardNewMacro(vtkRUCOnePointProbability);
 namespace
 {
 const char* const MethodNames[] = { "Sphere Volumes", "Chord Sampling", "Template Sampling" };
+
+void FillTable(
+  const std::vector<double>& fractions, const std::vector<double>& errors, vtkTable* table)
+{
+  std::vector<std::string> phases;
+  for (std::size_t r = 1; r < fractions.size(); ++r)
+  {
+    phases.push_back(std::to_string(r));
+  }
+  phases.push_back("m");
+  PackData::AddColumn(table, "Phase", phases);
+  PackData::AddColumn(table, "VolumeFraction", fractions);
+  PackData::AddColumn(table, "VolumeFraction_error", errors);
+}
 }
 
 int vtkRUCOnePointProbability::FillOutputPortInformation(int, vtkInformation* info)
@@ -31,8 +46,7 @@ int vtkRUCOnePointProbability::FillOutputPortInformation(int, vtkInformation* in
   return 1;
 }
 
-void vtkRUCOnePointProbability::Execute(
-  vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+void vtkRUCOnePointProbability::ValidateProperties()
 {
   if (this->Method < SPHERE_VOLUMES || this->Method > TEMPLATE_SAMPLING)
   {
@@ -44,60 +58,58 @@ void vtkRUCOnePointProbability::Execute(
     throw std::invalid_argument(
       "Mask requires Method Chord Sampling or Template Sampling, got Sphere Volumes.");
   }
+}
+
+void vtkRUCOnePointProbability::Execute(
+  vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+{
+  this->ValidateProperties();
   ProgressReport report(this, this->GetLabel());
   const PackData::SharedPack pack =
     PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
-  vtkTable* table = vtkTable::GetData(outputs, 0);
+  const bool exact = this->Method == SPHERE_VOLUMES;
+  vtkTable* table = vtkTable::GetData(outputs);
   std::vector<double> fractions, errors;
-  if (this->Method == SPHERE_VOLUMES)
+  if (exact)
   {
     fractions = ruc::OnePointProbability(pack.Share);
     errors.assign(fractions.size(), 0.0);
   }
   else
   {
-    const std::unique_ptr<ruc::SamplingRegion> region = this->MakeRegion(pack, ranks);
-    const bool throws = this->Method == TEMPLATE_SAMPLING;
-    const auto progress = [&](double done, const std::string& text)
-    { return ranks.Rank() != 0 || report.Update(done, text); };
-    const ruc::LagGrid noLags = { 1.0, 0 };
-    const ruc::SamplingSettings settings = this->GetSettings(throws);
-    const int modes = pack.Share.NumberOfModes();
-    const ruc::SampledTwoPoint sampled = throws
-      ? ruc::SampleTemplate(pack.Share.Own, modes, *region, noLags, settings, ranks, progress)
-      : ruc::SampleChords(pack.Share.Own, modes, *region, noLags, settings, ranks, progress);
+    const ruc::SampledTwoPoint sampled = this->Sample(pack, table, ranks, report);
     fractions = sampled.Mean.Fractions;
     errors = sampled.FractionErrors;
-    this->AddRegionSummary(table, *region);
-    PackData::AddField(table, throws ? "NumberOfThrows" : "NumberOfLines",
-      std::vector<long long>{ static_cast<long long>(sampled.Samples) });
-    PackData::AddField(table, "TotalError", std::vector<double>{ sampled.TotalError });
-    PackData::AddField(table, "Stopped", std::vector<long long>{ sampled.Stopped });
-    if (sampled.Stopped && ranks.Rank() == 0)
-    {
-      vtkWarningMacro(<< this->GetLabel() << ": stopped after " << sampled.Samples
-                      << (throws ? " throws." : " lines."));
-    }
   }
   if (ranks.Rank() == 0)
   {
-    std::vector<std::string> phases;
-    for (std::size_t r = 1; r < fractions.size(); ++r)
-    {
-      phases.push_back(std::to_string(r));
-    }
-    phases.push_back("m");
-    PackData::AddColumn(table, "Phase", phases);
-    PackData::AddColumn(table, "VolumeFraction", fractions);
-    PackData::AddColumn(table, "VolumeFraction_error", errors);
+    FillTable(fractions, errors, table);
   }
   PackData::AddField(table, "Method", std::string(MethodNames[this->Method]));
   const double overlap = ruc::MeasureOverlap(pack.Share, ranks).Percent;
   PackData::AddPackSummary(table, pack, pack.Share.NumberOfSpheres, fractions, overlap);
-  if (this->Method == SPHERE_VOLUMES && ranks.Rank() == 0 && overlap > PackData::TolerableOverlap)
-  {
-    vtkWarningMacro(<< this->GetLabel() << PackData::OverlapWarning(overlap));
-  }
+  OutputSummary::WarnOfOverlap(this, this->GetLabel(), exact ? overlap : 0.0, ranks);
+}
+
+ruc::SampledTwoPoint vtkRUCOnePointProbability::Sample(const PackData::SharedPack& pack,
+  vtkTable* table, RankCommunicator& ranks, ProgressReport& report)
+{
+  const std::unique_ptr<ruc::SamplingRegion> region = this->MakeRegion(pack, ranks);
+  const bool throws = this->Method == TEMPLATE_SAMPLING;
+  const auto progress = [&](double done, const std::string& text)
+  { return ranks.Rank() != 0 || report.Update(done, text); };
+  const ruc::LagGrid noLags = { 1.0, 0 };
+  const ruc::SamplingSettings settings = this->GetSettings(throws);
+  const int modes = pack.Share.NumberOfModes();
+  ruc::SampledTwoPoint sampled = throws
+    ? ruc::SampleTemplate(pack.Share.Own, modes, *region, noLags, settings, ranks, progress)
+    : ruc::SampleChords(pack.Share.Own, modes, *region, noLags, settings, ranks, progress);
+  this->AddRegionSummary(table, *region);
+  OutputSummary::AddSamples(table,
+    { throws ? "NumberOfThrows" : "NumberOfLines", sampled.Samples, sampled.TotalError,
+      sampled.Stopped });
+  OutputSummary::WarnOfStop(this, this->GetLabel(), sampled.Stopped, ranks);
+  return sampled;
 }
 
 void vtkRUCOnePointProbability::PrintSelf(ostream& os, vtkIndent indent)

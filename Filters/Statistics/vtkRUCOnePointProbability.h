@@ -20,6 +20,13 @@
 #include "RUCStatisticsModule.h"
 #include "vtkRUCSamplingAlgorithm.h"
 
+class ProgressReport;
+class vtkTable;
+namespace ruc
+{
+struct SampledTwoPoint;
+}
+
 class RUCSTATISTICS_EXPORT vtkRUCOnePointProbability : public vtkRUCSamplingAlgorithm
 {
 public:
@@ -50,6 +57,11 @@ protected:
 private:
   vtkRUCOnePointProbability(const vtkRUCOnePointProbability&) = delete;
   void operator=(const vtkRUCOnePointProbability&) = delete;
+
+  void ValidateProperties();
+  // By lines or throws, of which the table's field data tell
+  ruc::SampledTwoPoint Sample(const PackData::SharedPack& pack, vtkTable* table,
+    RankCommunicator& ranks, ProgressReport& report);
 
   int Method = SPHERE_VOLUMES;
 };

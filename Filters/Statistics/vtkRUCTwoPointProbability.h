@@ -16,25 +16,17 @@
  * TargetError bounds the sum over all ordered pairs of phases of || standard error of S_rs ||, the
  * discrete norm over the lags k = 1…K.
  *
- * Outputs; tables are whole on rank 0, and 3 to 8 are empty unless asked for:
- * 0 `r`, `S_1_1`, `S_1_2`, …, `S_m_m`, a column for each unordered pair and a row for each lag r_k
- *   = k MaximumLag / NumberOfLags, k = 0 to NumberOfLags; then `S_1_1_error`, … (standard errors)
- * of a sampled method; 1 the checks `Pair`, `Limit` (c_r c_s), `ErrorAtZero` (7; 0 for a sampled
- * method, whose c_r is S_rr(0)), `ErrorAtInfinity` (8, at the last lag), `Asymmetry` (9; 0 for the
- * exact method, where S_rs = S_sr by construction) and `SaturationLength` (not a number where it is
- * not reached); as field data `VolumeCheck` = 1 - sum c_r - c_m, `SphereVolumeFractions` (those of
- * One-Point Probability's Sphere Volumes), `SpecificSurface` (sphere surface / volume of the
- * window) and `SpecificSurfaceFromSlope` (-4 dS_mm/dr at 0, of which it is the limit); 2 `r` and
- * the gradients dS/dr under the names of output 0; 3 the map S_rs(x) of the ImagePairs: an image
- * over lag vectors x, in slabs over the ranks; 4 isotropy: `r`, `sigma_S_1_1`, … the standard
- * deviation of S_rs(r n) over the directions n (Fig. 6b) and, for Chord Sampling,
- * `sigma_S_1_1_noise`, … what sampling errors alone would make of it; 5 directions: `Direction`,
- * `nx`, `ny`, `nz`, `r`, `S_1_1`, …: S_rs(r n), a row for each direction and lag, the mean over n
- * and -n; standard errors for Chord Sampling; 6 chord lengths: `r`, `p_1`, … (chord-length
- * probability density), `L_1`, … (lineal-path function) of every phase, with standard errors; field
- * data `MeanChordLength`; 7 radial distribution functions of the centres `r`, `g_1_1`, …, and `g`
- * of all; 8 autocovariance: `r`, `chi_1_1`, … = S_rs - c_r c_s. Equation numbers: Lee et al., Phys.
- * Rev. E 80, 061301 (2009).
+ * Outputs, whole on rank 0: 0 `r`, `S_1_1`, `S_1_2`, …, `S_m_m`, a column for each unordered pair
+ * and a row for each lag r_k = k MaximumLag / NumberOfLags, k = 0 to NumberOfLags; then
+ * `S_1_1_error`, … (standard errors) of a sampled method; 1 the checks `Pair`, `Limit` (c_r c_s),
+ * `ErrorAtZero` (7; 0 for a sampled method, whose c_r is S_rr(0)), `ErrorAtInfinity` (8, at the
+ * last lag), `Asymmetry` (9; 0 for the exact method, where S_rs = S_sr by construction) and
+ * `SaturationLength` (not a number where it is not reached); as field data `VolumeCheck` = 1 - sum
+ * c_r - c_m, `SphereVolumeFractions` (those of One-Point Probability's Sphere Volumes),
+ * `SpecificSurface` (sphere surface / volume of the window) and `SpecificSurfaceFromSlope` (-4
+ * dS_mm/dr at 0, of which it is the limit); 2 `r` and the gradients dS/dr under the names of output
+ * 0; 3 autocovariance: `r`, `chi_1_1`, … = S_rs - c_r c_s. Equation numbers: Lee et al., Phys. Rev.
+ * E 80, 061301 (2009).
  */
 #ifndef vtkRUCTwoPointProbability_h
 #define vtkRUCTwoPointProbability_h
@@ -42,15 +34,10 @@
 #include "RUCStatisticsModule.h"
 #include "vtkRUCSamplingAlgorithm.h"
 
-#include <array>
-#include <string>
-#include <vector>
-
 class ProgressReport;
 class vtkTable;
 namespace ruc
 {
-struct ChordLengths;
 struct LagGrid;
 struct PackShare;
 struct SampledTwoPoint;
@@ -75,12 +62,7 @@ public:
     PROBABILITIES = 0,
     CHECKS = 1,
     GRADIENTS = 2,
-    MAP = 3,
-    ISOTROPY = 4,
-    DIRECTIONS = 5,
-    CHORDS = 6,
-    RADIAL_DISTRIBUTIONS = 7,
-    AUTOCOVARIANCES = 8
+    AUTOCOVARIANCES = 3
   };
 
   ///@{
@@ -112,57 +94,12 @@ public:
   vtkSetMacro(SaturationTolerance, double);
   vtkGetMacro(SaturationTolerance, double);
   ///@}
-  ///@{
-  /**
-   * Directions of outputs 4 and 5, spread evenly over the half sphere, >= 2. Default: 0, none.
-   * Chord Sampling takes NumberOfLines lines of each direction; Template Sampling knows no
-   * directions.
-   */
-  vtkSetMacro(NumberOfDirections, int);
-  vtkGetMacro(NumberOfDirections, int);
-  ///@}
-  ///@{
-  /** Pairs of phases of output 3, such as "1 1; 3 m; m m". Default: "", none. By the exact pair
-   * sum, whatever the method. */
-  vtkSetStdStringFromCharMacro(ImagePairs);
-  vtkGetCharFromStdStringMacro(ImagePairs);
-  ///@}
-  ///@{
-  /** Lag vectors from the centre of output 3 to each of its faces, >= 1. Default: 20, an image of
-   * 41^3.
-   */
-  vtkSetMacro(ImageResolution, int);
-  vtkGetMacro(ImageResolution, int);
-  ///@}
-  ///@{
-  /** Spacing of output 3. Default: 0, the last lag / ImageResolution. */
-  vtkSetMacro(ImageSpacing, double);
-  vtkGetMacro(ImageSpacing, double);
-  ///@}
-  ///@{
-  /** Whether output 6 is wanted; it takes the lines of Chord Sampling, or as many, whatever the
-   * method. Default: off. */
-  vtkSetMacro(ChordLengths, bool);
-  vtkGetMacro(ChordLengths, bool);
-  ///@}
-  ///@{
-  /** Whether output 7 is wanted. Default: off. */
-  vtkSetMacro(RadialDistribution, bool);
-  vtkGetMacro(RadialDistribution, bool);
-  ///@}
-  ///@{
-  /** Whether output 8 is wanted. Default: off. */
-  vtkSetMacro(Autocovariance, bool);
-  vtkGetMacro(Autocovariance, bool);
-  ///@}
 
 protected:
   vtkRUCTwoPointProbability();
   ~vtkRUCTwoPointProbability() override = default;
   const char* GetLabel() const override { return "Two-Point Probability"; }
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
   ruc::Estimate MakeEstimate() override;
 
@@ -171,24 +108,15 @@ private:
   void operator=(const vtkRUCTwoPointProbability&) = delete;
 
   void ValidateProperties();
-  bool SamplesRegion() const;
-  // By the method, and the chord lengths if they are wanted
+  // By the method; `region` is null for the exact one
   ruc::SampledTwoPoint Measure(const ruc::PackShare& share, const ruc::SamplingRegion* region,
-    const ruc::LagGrid& lags, RankCommunicator& ranks, ProgressReport& report,
-    ruc::ChordLengths& chords) const;
-  // What follows from what was measured; on rank 0
-  void FillTables(const ruc::SampledTwoPoint& measured, const ruc::ChordLengths& chords,
-    const ruc::PackShare& share, vtkInformationVector* outputs) const;
-  // What takes work of its own, if it is wanted
-  void FillMap(const PackData::SharedPack& pack, const std::vector<std::array<int, 2>>& pairs,
-    const ruc::LagGrid& lags, vtkInformationVector* outputs, RankCommunicator& ranks,
-    ProgressReport& report);
-  // Returns whether it was stopped early
-  bool FillDirections(const PackData::SharedPack& pack, const ruc::SamplingRegion* region,
-    const ruc::LagGrid& lags, vtkInformationVector* outputs, RankCommunicator& ranks,
-    ProgressReport& report);
-  void FillRadialDistribution(const ruc::PackShare& share, const ruc::LagGrid& lags,
-    vtkInformationVector* outputs, RankCommunicator& ranks, ProgressReport& report) const;
+    const ruc::LagGrid& lags, RankCommunicator& ranks, ProgressReport& report) const;
+  // On rank 0
+  void FillTables(const ruc::SampledTwoPoint& measured, const ruc::PackShare& share,
+    vtkInformationVector* outputs) const;
+  // How the functions were measured, and where they saturate, as field data
+  void AddSummary(const ruc::TwoPointProbability& probability, const ruc::PackShare& share,
+    vtkDataObject* data) const;
   // What must agree, as field data
   void AddConsistency(const ruc::TwoPointProbability& probability, const ruc::PackShare& share,
     vtkTable* table) const;
@@ -197,13 +125,6 @@ private:
   double MaximumLag = 0.0;
   int NumberOfLags = 277;
   double SaturationTolerance = 0.0005;
-  int NumberOfDirections = 0;
-  std::string ImagePairs;
-  int ImageResolution = 20;
-  double ImageSpacing = 0.0;
-  bool ChordLengths = false;
-  bool RadialDistribution = false;
-  bool Autocovariance = false;
 };
 
 #endif

@@ -8,9 +8,13 @@
 #include "Packs.h"
 
 #include "vtkRUCCompareProbabilities.h"
+#include "vtkRUCChordLengths.h"
+#include "vtkRUCDirectionalProbability.h"
 #include "vtkRUCOnePointProbability.h"
 #include "vtkRUCParticleModes.h"
 #include "vtkRUCPeriodicReplicas.h"
+#include "vtkRUCProbabilityMap.h"
+#include "vtkRUCRadialDistribution.h"
 #include "vtkRUCSpherePackReader.h"
 #include "vtkRUCThreePointProbability.h"
 #include "vtkRUCTwoPointProbability.h"
@@ -366,24 +370,46 @@ int main(int argc, char* argv[])
   Refuses<TwoPoint>("tolerance", { name, "SaturationTolerance requires", "got 0" }, pack, asIs, {},
     [](TwoPoint* f) { f->SetSaturationTolerance(0.0); });
 
-  for (int directions : { 1, -3 })
+  using Directional = vtkRUCDirectionalProbability;
+  for (int directions : { 1, 0, -3 })
   {
-    Refuses<TwoPoint>("directions " + std::to_string(directions),
-      { name, "NumberOfDirections requires 0 or a number >= 2", std::to_string(directions) }, pack,
-      asIs, {}, [=](TwoPoint* f) { f->SetNumberOfDirections(directions); });
+    Refuses<Directional>("directions " + std::to_string(directions),
+      { "Directional Probability", "NumberOfDirections requires a number >= 2",
+        std::to_string(directions) },
+      pack, asIs, {}, [=](Directional* f) { f->SetNumberOfDirections(directions); });
   }
-  for (const char* pairs : { "1", "1 2 3", "0 1", "4 m", "m x", ";", "1,1" })
+  for (int method : { -1, 2 })
   {
-    Refuses<TwoPoint>(std::string("image pairs ") + pairs,
-      { name, "ImagePairs requires pairs of phases, 1 to 3 or m" }, pack, asIs, {},
-      [=](TwoPoint* f) { f->SetImagePairs(pairs); });
+    Refuses<Directional>("method " + std::to_string(method),
+      { "Directional Probability", "Method requires a value from 0 to 1", std::to_string(method) },
+      pack, asIs, {}, [=](Directional* f) { f->SetMethod(method); });
   }
-  Refuses<TwoPoint>("image spacing", { name, "ImageSpacing requires", "got -1" }, pack, asIs, {},
-    [](TwoPoint* f)
-    {
-      f->SetImagePairs("m m");
-      f->SetImageSpacing(-1.0);
-    });
+  using Map = vtkRUCProbabilityMap;
+  for (const char* pairs : { "", "1", "1 2 3", "0 1", "4 m", "m x", ";", "1,1" })
+  {
+    Refuses<Map>(std::string("phase pairs ") + pairs,
+      { "Probability Map", "PhasePairs requires pairs of phases, 1 to 3 or m" }, pack, asIs, {},
+      [=](Map* f) { f->SetPhasePairs(pairs); });
+  }
+  Refuses<Map>("spacing", { "Probability Map", "Spacing requires", "got -1" }, pack, asIs, {},
+    [](Map* f) { f->SetSpacing(-1.0); });
+  Refuses<Map>("resolution", { "Probability Map", "Resolution requires", "got 0" }, pack, asIs, {},
+    [](Map* f) { f->SetResolution(0); });
+  Refuses<Map>(
+    "map beyond the window", { "Probability Map", "Spacing x Resolution requires a length" }, pack,
+    asIs, {}, [](Map* f) { f->SetSpacing(1.0); }, false);
+  using Radial = vtkRUCRadialDistribution;
+  Refuses<Radial>(
+    "lag beyond the window", { "Radial Distribution", "MaximumLag", "got 12" }, pack, asIs, {},
+    [](Radial* f) { f->SetMaximumLag(12.0); }, false);
+  Refuses<Radial>("no lags", { "Radial Distribution", "NumberOfLags requires", "got 0" }, pack,
+    asIs, {}, [](Radial* f) { f->SetNumberOfLags(0); });
+  using Chords = vtkRUCChordLengths;
+  Refuses<Chords>("no lines", { "Chord Lengths", "NumberOfLines requires", "got 0" }, pack, asIs,
+    {}, [](Chords* f) { f->SetNumberOfLines(0); });
+  Refuses<Chords>(
+    "lag beyond the region", { "Chord Lengths", "MaximumLag requires", "got 11.9" }, pack, asIs, {},
+    [](Chords* f) { f->SetMaximumLag(11.9); }, false);
 
   // Sampling
   using OnePoint = vtkRUCOnePointProbability;
@@ -453,21 +479,16 @@ int main(int argc, char* argv[])
       "mask of a periodic pack", { name, "Mask requires a pack that is not periodic" },
       [](vtkImageData*) {}, true);
   }
-  Refuses<TwoPoint>("template and directions",
-    { name, "NumberOfDirections requires Method", "Template" }, pack, asIs, {},
-    [](TwoPoint* f)
-    {
-      f->SetMethod(TwoPoint::TEMPLATE_SAMPLING);
-      f->SetNumberOfDirections(4);
-    });
-  Refuses<TwoPoint>(
-    "mask and the exact sum", { name, "Mask requires Method", "Exact Pair Sum" }, pack, asIs, {},
-    [](TwoPoint* f)
-    {
-      f->SetInputDataObject(
-        1, MakeMask(Edge, Controller->GetLocalProcessId(), Controller->GetNumberOfProcesses()));
-    },
-    false);
+  const auto addMask = [](vtkAlgorithm* f)
+  {
+    f->SetInputDataObject(
+      1, MakeMask(Edge, Controller->GetLocalProcessId(), Controller->GetNumberOfProcesses()));
+  };
+  Refuses<TwoPoint>("mask and the exact sum", { name, "Mask requires Method", "Exact Pair Sum" },
+    pack, asIs, {}, addMask, false);
+  Refuses<Directional>("mask and the exact sum along directions",
+    { "Directional Probability", "Mask requires Method Chord Sampling", "Exact Pair Sum" }, pack,
+    asIs, {}, addMask, false);
   Refuses<OnePoint>("lines", { "One-Point Probability", "NumberOfLines requires", "got -4" }, pack,
     asIs, {},
     [](OnePoint* f)

@@ -7,10 +7,14 @@
  */
 #include "Packs.h"
 
+#include "vtkRUCChordLengths.h"
 #include "vtkRUCCompareProbabilities.h"
+#include "vtkRUCDirectionalProbability.h"
 #include "vtkRUCOnePointProbability.h"
 #include "vtkRUCParticleModes.h"
 #include "vtkRUCPeriodicReplicas.h"
+#include "vtkRUCProbabilityMap.h"
+#include "vtkRUCRadialDistribution.h"
 #include "vtkRUCThreePointProbability.h"
 #include "vtkRUCTwoPointProbability.h"
 #include "vtkRUCUnitCellReconstruction.h"
@@ -299,42 +303,53 @@ int main(int argc, char* argv[])
             f->SetMethod(vtkRUCOnePointProbability::CHORD_SAMPLING);
             f->SetTargetError(0.02);
           });
-        const std::vector<int> unasked = { 3, 4, 5, 6, 7, 8 };
         Compare<vtkRUCTwoPointProbability>(
-          controller, "two-point, " + name, piece, whole, [](auto* f) { f->SetNumberOfLags(40); },
-          false, unasked);
-        Compare<vtkRUCTwoPointProbability>(controller, "all of two-point, " + name, piece, whole,
-          [](auto* f)
-          {
-            f->SetNumberOfLags(40);
-            f->SetMaximumLag(4.0);
-            f->SetNumberOfLines(300);
-            f->SetNumberOfDirections(3);
-            f->SetImagePairs("1 1; 1 m; m m");
-            f->SetImageResolution(4);
-            f->SetChordLengths(true);
-            f->SetRadialDistribution(true);
-            f->SetAutocovariance(true);
-          });
+          controller, "two-point, " + name, piece, whole, [](auto* f) { f->SetNumberOfLags(40); });
         Compare<vtkRUCTwoPointProbability>(controller, "chords, " + name, piece, whole,
           [](auto* f)
           {
             f->SetMethod(vtkRUCTwoPointProbability::CHORD_SAMPLING);
             f->SetNumberOfLags(40);
             f->SetNumberOfLines(300);
-            f->SetNumberOfDirections(3);
-            f->SetChordLengths(true);
-          },
-          false, { 3, 7, 8 });
-        Compare<vtkRUCTwoPointProbability>(
-          controller, "template, " + name, piece, whole,
+          });
+        Compare<vtkRUCTwoPointProbability>(controller, "template, " + name, piece, whole,
           [](auto* f)
           {
             f->SetMethod(vtkRUCTwoPointProbability::TEMPLATE_SAMPLING);
             f->SetNumberOfLags(40);
             f->SetNumberOfThrows(100);
-          },
-          false, unasked);
+          });
+        const auto directions = [](vtkRUCDirectionalProbability* f)
+        {
+          f->SetNumberOfDirections(3);
+          f->SetNumberOfLags(40);
+          f->SetNumberOfLines(300);
+        };
+        Compare<vtkRUCDirectionalProbability>(
+          controller, "directions, " + name, piece, whole, directions);
+        const auto chordsAlong = [&](vtkRUCDirectionalProbability* f)
+        {
+          directions(f);
+          f->SetMethod(vtkRUCDirectionalProbability::CHORD_SAMPLING);
+        };
+        Compare<vtkRUCDirectionalProbability>(
+          controller, "chords along directions, " + name, piece, whole, chordsAlong);
+        Compare<vtkRUCProbabilityMap>(controller, "map, " + name, piece, whole,
+          [](auto* f)
+          {
+            f->SetPhasePairs("1 1; 1 m; m m");
+            f->SetMaximumLag(4.0);
+            f->SetResolution(4);
+          });
+        const auto chordLengths = [](vtkRUCChordLengths* f)
+        {
+          f->SetNumberOfLags(40);
+          f->SetNumberOfLines(300);
+        };
+        Compare<vtkRUCChordLengths>(
+          controller, "chord lengths, " + name, piece, whole, chordLengths);
+        Compare<vtkRUCRadialDistribution>(controller, "radial distribution, " + name, piece, whole,
+          [](auto* f) { f->SetNumberOfLags(40); });
         const auto threePoint = [](vtkRUCThreePointProbability* f)
         {
           f->SetPhases("1 2 2; m m m; 2 1 m; 2 m 1");
@@ -384,7 +399,12 @@ int main(int argc, char* argv[])
               f->SetNumberOfLags(40);
               f->SetNumberOfLines(300);
             },
-            false, unasked, MakeMask(edge, rank, ranks), MakeMask(edge, 0, 1));
+            false, {}, MakeMask(edge, rank, ranks), MakeMask(edge, 0, 1));
+          Compare<vtkRUCDirectionalProbability>(controller,
+            "chords along directions, mask, " + name, piece, whole, chordsAlong, false, {},
+            MakeMask(edge, rank, ranks), MakeMask(edge, 0, 1));
+          Compare<vtkRUCChordLengths>(controller, "chord lengths, mask, " + name, piece, whole,
+            chordLengths, false, {}, MakeMask(edge, rank, ranks), MakeMask(edge, 0, 1));
         }
         Compare<vtkRUCUnitCellReconstruction>(controller, "cell, " + name, piece, whole,
           [](auto* f)

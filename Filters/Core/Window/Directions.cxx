@@ -14,7 +14,7 @@ std::vector<Vector3> EvenDirections(int count)
   if (count < 2)
   {
     throw std::invalid_argument(
-      Text("NumberOfDirections requires 0 or a number >= 2, got ", count, "."));
+      Text("NumberOfDirections requires a number >= 2, got ", count, "."));
   }
   constexpr double goldenAngle = 2.39996322972865332;
   std::vector<Vector3> directions;

@@ -6,7 +6,7 @@
 
 TEST(Directions, RefusesFewerThanTwo)
 {
-  EXPECT_SAYS(ruc::EvenDirections(1), "NumberOfDirections requires 0 or a number >= 2, got 1.");
+  EXPECT_SAYS(ruc::EvenDirections(1), "NumberOfDirections requires a number >= 2, got 1.");
   EXPECT_SAYS(ruc::EvenDirections(-3), "got -3.");
 }
 

@@ -173,7 +173,7 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
   const int matrix = share.NumberOfModes();
   if (pairs.empty())
   {
-    throw std::invalid_argument("ImagePairs requires at least one pair of phases, got none.");
+    throw std::invalid_argument("PhasePairs requires at least one pair of phases, got none.");
   }
   for (const std::array<int, 2>& pair : pairs)
   {
@@ -182,14 +182,14 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
       if (phase < 0 || phase > matrix)
       {
         throw std::invalid_argument(
-          Text("ImagePairs requires phases from 0 to ", matrix, " (the matrix), got ", phase, "."));
+          Text("PhasePairs requires phases from 0 to ", matrix, " (the matrix), got ", phase, "."));
       }
     }
   }
   if (!(spacing > 0.0 && std::isfinite(spacing)))
   {
     throw std::invalid_argument(
-      Text("ImageSpacing requires a finite number > 0, got ", spacing, "."));
+      Text("Spacing requires a finite number > 0, got ", spacing, "."));
   }
   const double largest = LargestMapReach(share.LargestRadius, share.Observed);
   if (!(largest > 0.0))
@@ -200,7 +200,7 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
   }
   if (!(reach > 0.0 && reach <= largest * (1.0 + 1e-12)))
   {
-    throw std::invalid_argument(Text("ImageSpacing x ImageResolution requires a length > 0 and <= ",
+    throw std::invalid_argument(Text("Spacing x Resolution requires a length > 0 and <= ",
       largest, " for this ", share.Observed.Describe(), " and spheres of up to ",
       2.0 * share.LargestRadius, " diameter, got ", reach, "."));
   }
@@ -208,7 +208,7 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
   const double half = std::floor(reach / spacing * (1.0 + 1e-12));
   if (half > most)
   {
-    throw std::invalid_argument(Text("ImageResolution requires at most ", most, " for ",
+    throw std::invalid_argument(Text("Resolution requires at most ", most, " for ",
       pairs.size(), " pairs of phases, got ", half, "."));
   }
 }
@@ -243,7 +243,7 @@ ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int
   const int slices = grid.Half + 1;
   const double cube = grid.Half * spacing, rim = 2.0 * share.LargestRadius;
   const WeightedPairs weighted(
-    share, std::sqrt(3.0) * cube + rim, ranks, "ImageSpacing x ImageResolution", cube, rim);
+    share, std::sqrt(3.0) * cube + rim, ranks, "Spacing x Resolution", cube, rim);
   const double unit = SphereVolume(share.LargestRadius);
   const double scale = weighted.Scale / unit * (Pi / 12.0) * spacing * spacing * spacing;
 

@@ -250,18 +250,18 @@ TEST(ProbabilityMap, BadInputIsRefused)
   EXPECT_SAYS(Map(pack, box, {}, 0.5, 2.0), "at least one pair of phases");
   EXPECT_SAYS(Map(pack, box, { { 0, 3 } }, 0.5, 2.0), "phases from 0 to 2 (the matrix), got 3");
   EXPECT_SAYS(Map(pack, box, { { -1, 0 } }, 0.5, 2.0), "got -1");
-  EXPECT_SAYS(Map(pack, box, AllPairs, 0.0, 2.0), "ImageSpacing requires a finite number > 0");
-  EXPECT_SAYS(Map(pack, box, AllPairs, std::nan(""), 2.0), "ImageSpacing requires");
+  EXPECT_SAYS(Map(pack, box, AllPairs, 0.0, 2.0), "Spacing requires a finite number > 0");
+  EXPECT_SAYS(Map(pack, box, AllPairs, std::nan(""), 2.0), "Spacing requires");
   EXPECT_SAYS(Map(pack, box, AllPairs, 0.5, 0.0),
-    "ImageSpacing x ImageResolution requires a length > 0 and <= 8.1918");
+    "Spacing x Resolution requires a length > 0 and <= 8.1918");
   EXPECT_SAYS(Map(pack, box, AllPairs, 0.5, 8.2),
-    "ImageSpacing x ImageResolution requires a length > 0 and <= 8.1918");
+    "Spacing x Resolution requires a length > 0 and <= 8.1918");
   EXPECT_SAYS(
-    Map(pack, box, AllPairs, 0.5, std::nan("")), "ImageSpacing x ImageResolution requires");
+    Map(pack, box, AllPairs, 0.5, std::nan("")), "Spacing x Resolution requires");
   EXPECT_SAYS(Map(pack, box, { { 2, 2 } }, 0.01, 2.0),
-    "ImageResolution requires at most 183 for 1 pairs of phases");
+    "Resolution requires at most 183 for 1 pairs of phases");
   EXPECT_SAYS(Map(pack, box, { { 2, 2 } }, 1e-300, 2.0),
-    "ImageResolution requires at most 183 for 1 pairs of phases");
+    "Resolution requires at most 183 for 1 pairs of phases");
   const Window narrow = Window::MakeCylinder({ 5, 5, 0 }, { 0, 0, 1 }, 0.8, 10.0);
   EXPECT_SAYS(Map(ruc::CropToWindow(oracle::RandomPack({ 400 }, { 0.9 }, box, 7), narrow), narrow,
                 { { 0, 0 } }, 0.5, 2.0),

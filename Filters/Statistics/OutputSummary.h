@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Statistics/Results/LagGrid.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+
+#include <cstdint>
+
+class RankCommunicator;
+
+/** What the outputs of the filters tell of how they came about, beside PackData's field data. */
+namespace OutputSummary
+{
+/** Calls add(data) for every output of a filter. */
+template <class Add>
+void ForEachOutput(vtkInformationVector* outputs, Add&& add)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    add(outputs->GetInformationObject(port)->Get(vtkDataObject::DATA_OBJECT()));
+  }
+}
+
+/** What was sampled. */
+struct Samples
+{
+  const char* Name; // "NumberOfLines" or "NumberOfThrows"
+  std::int64_t Number;
+  double TotalError;
+  bool Stopped; // before there were as many as wanted
+};
+
+/** `NumberOfLags` and `MaximumLag`, also where that was automatic. */
+void AddLags(vtkDataObject* data, const ruc::LagGrid& lags);
+
+/** The number of samples under its name, `TotalError` and `Stopped`. */
+void AddSamples(vtkDataObject* data, const Samples& samples);
+
+/** Warn on rank 0 in the name of the filter: that sampling was stopped early, if it was, and that
+ * spheres overlap by more than sums over pairs tolerate, if they do. */
+void WarnOfStop(vtkObject* filter, const char* label, bool stopped, const RankCommunicator& ranks);
+void WarnOfOverlap(
+  vtkObject* filter, const char* label, double percent, const RankCommunicator& ranks);
+}

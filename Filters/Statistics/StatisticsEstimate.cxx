@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StatisticsEstimate.h"
+
+#include "PackEstimate.h"
+#include "TwoPointSum.h"
+#include "ruc/Base/Text.h"
+
+#include <stdexcept>
+
+ruc::LagGrid StatisticsEstimate::FindLags(
+  double maximum, int count, const ruc::PackFigures& pack, bool exact)
+{
+  return TwoPointSum::MakeLags(maximum, count, PackEstimate::AutomaticLag(pack, exact));
+}
+
+ruc::Estimate StatisticsEstimate::OfPack(
+  const ruc::PackFigures& pack, double maximum, const ruc::LagGrid& lags)
+{
+  ruc::Estimate estimate = ruc::EstimatePack(pack);
+  if (maximum == 0.0)
+  {
+    estimate.Automatic = ruc::Text("Maximum Lag ", lags.Maximum());
+  }
+  return estimate;
+}
+
+double StatisticsEstimate::NumberOfSamples(const ruc::SamplingSettings& settings)
+{
+  if (settings.TargetError > 0.0 || settings.Samples < 1)
+  {
+    throw std::invalid_argument("How many samples an error takes is only known from samples.");
+  }
+  return static_cast<double>(settings.Samples);
+}

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Estimates/Estimates.h"
+#include "ruc/Statistics/Sampling/SampledSums.h"
+
+/** What the estimates of the filters that measure functions of one lag have in common. */
+namespace StatisticsEstimate
+{
+/** MeasuredLags::Find, about, from figures of the pack; `exact`: for sums over pairs. */
+ruc::LagGrid FindLags(double maximum, int count, const ruc::PackFigures& pack, bool exact);
+
+/** What comes before the work on the lags: the pack is shared out. Tells what MaximumLag = 0 stands
+ * for. */
+ruc::Estimate OfPack(const ruc::PackFigures& pack, double maximum, const ruc::LagGrid& lags);
+
+/** How many samples the settings ask for; throws std::invalid_argument where that is not known
+ * before they are taken, because a TargetError is asked for. */
+double NumberOfSamples(const ruc::SamplingSettings& settings);
+}

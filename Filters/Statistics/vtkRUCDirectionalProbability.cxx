@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRUCDirectionalProbability.h"
+
+#include "MeasuredLags.h"
+#include "OutputSummary.h"
+#include "PackData.h"
+#include "ProgressReport.h"
+#include "RankCommunicator.h"
+#include "StatisticsEstimate.h"
+#include "TwoPointTables.h"
+#include "ruc/Base/Text.h"
+#include "ruc/Particles/PackOverlap.h"
+#include "ruc/Statistics/Sampling/ChordSampling.h"
+#include "ruc/Window/Directions.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkRUCDirectionalProbability);
+
+namespace
+{
+const char* const MethodNames[] = { "Exact Pair Sum", "Chord Sampling" };
+}
+
+vtkRUCDirectionalProbability::vtkRUCDirectionalProbability()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+int vtkRUCDirectionalProbability::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
+  return 1;
+}
+
+void vtkRUCDirectionalProbability::ValidateProperties()
+{
+  if (this->Method != EXACT_PAIR_SUM && this->Method != CHORD_SAMPLING)
+  {
+    throw std::invalid_argument(
+      ruc::Text("Method requires a value from 0 to 1, got ", this->Method, "."));
+  }
+  if (this->HasMask() && this->Method == EXACT_PAIR_SUM)
+  {
+    throw std::invalid_argument("Mask requires Method Chord Sampling, got Exact Pair Sum.");
+  }
+}
+
+void vtkRUCDirectionalProbability::Execute(
+  vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+{
+  this->ValidateProperties();
+  ProgressReport report(this, this->GetLabel());
+  const PackData::SharedPack pack =
+    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  const ruc::PackShare& share = pack.Share;
+  const bool exact = this->Method == EXACT_PAIR_SUM;
+  const std::unique_ptr<ruc::SamplingRegion> region =
+    exact ? nullptr : this->MakeRegion(pack, ranks);
+  const ruc::LagGrid lags =
+    MeasuredLags::Find(this->MaximumLag, this->NumberOfLags, share, region.get(), this->HasMask());
+  OutputSummary::Samples samples = { "NumberOfLines", 0, 0.0, false };
+  const ruc::DirectionalProbability directional =
+    this->Measure(share, region.get(), lags, ranks, report, samples);
+  if (ranks.Rank() == 0)
+  {
+    TwoPointTables::FillIsotropy(directional, vtkTable::GetData(outputs, ISOTROPY));
+    TwoPointTables::FillDirections(directional, vtkTable::GetData(outputs, DIRECTIONS));
+  }
+
+  const double overlap = ruc::MeasureOverlap(share, ranks).Percent;
+  const std::vector<double> fractions = ruc::MeanOverDirections(directional).Fractions;
+  OutputSummary::ForEachOutput(outputs,
+    [&](vtkDataObject* data)
+    {
+      PackData::AddField(data, "Method", std::string(MethodNames[this->Method]));
+      OutputSummary::AddLags(data, lags);
+      PackData::AddPackSummary(data, pack, share.NumberOfSpheres, fractions, overlap);
+      if (region)
+      {
+        this->AddRegionSummary(data, *region);
+        OutputSummary::AddSamples(data, samples);
+      }
+    });
+  OutputSummary::WarnOfStop(this, this->GetLabel(), samples.Stopped, ranks);
+  OutputSummary::WarnOfOverlap(this, this->GetLabel(), exact ? overlap : 0.0, ranks);
+}
+
+ruc::DirectionalProbability vtkRUCDirectionalProbability::Measure(const ruc::PackShare& share,
+  const ruc::SamplingRegion* region, const ruc::LagGrid& lags, RankCommunicator& ranks,
+  ProgressReport& report, OutputSummary::Samples& samples) const
+{
+  const auto progress = [&](double done, const std::string& text)
+  { return ranks.Rank() != 0 || report.Update(done, text); };
+  const std::vector<ruc::Vector3> directions = ruc::EvenDirections(this->NumberOfDirections);
+  if (!region)
+  {
+    return ruc::SumPairsAlong(
+      share, directions, lags, ranks, [&](double done) { progress(done, "summing pairs"); });
+  }
+  ruc::DirectionalProbability directional;
+  directional.Directions = directions;
+  for (ruc::SampledTwoPoint& along : ruc::SampleChordsAlong(directions, share.Own,
+         share.NumberOfModes(), *region, lags, this->GetSettings(false), ranks, progress))
+  {
+    samples.Number += along.Samples;
+    samples.TotalError = std::max(samples.TotalError, along.TotalError);
+    samples.Stopped = samples.Stopped || along.Stopped;
+    directional.Values.push_back(std::move(along.Mean));
+    directional.Errors.push_back(std::move(along.Errors));
+  }
+  return directional;
+}
+
+ruc::Estimate vtkRUCDirectionalProbability::MakeEstimate()
+{
+  this->ValidateProperties();
+  const ruc::PackFigures pack = this->FindFigures();
+  const bool exact = this->Method == EXACT_PAIR_SUM;
+  const ruc::LagGrid lags =
+    StatisticsEstimate::FindLags(this->MaximumLag, this->NumberOfLags, pack, exact);
+  const int directions = static_cast<int>(ruc::EvenDirections(this->NumberOfDirections).size());
+  ruc::Estimate estimate = StatisticsEstimate::OfPack(pack, this->MaximumLag, lags);
+  if (exact)
+  {
+    estimate += ruc::EstimatePairSumAlong(pack, lags, directions);
+    return estimate;
+  }
+  ruc::Estimate chords =
+    ruc::EstimateChords(pack, lags, StatisticsEstimate::NumberOfSamples(this->GetSettings(false)));
+  chords.Seconds *= directions;
+  estimate += chords;
+  return estimate;
+}
+
+void vtkRUCDirectionalProbability::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
+  os << indent << "MaximumLag: " << this->MaximumLag << "\n";
+  os << indent << "NumberOfLags: " << this->NumberOfLags << "\n";
+}

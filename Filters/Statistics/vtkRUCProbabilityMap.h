@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRUCProbabilityMap
+ * @brief Two-point probability functions S_rs(x) of a sphere pack over lag vectors x
+ *
+ * Input: a sphere pack with `Mode` (vtkRUCPackAlgorithm). S_rs(x) is the probability that a point y
+ * lies in phase r and y + x in phase s, the mean over x and -x, by the exact sum over pairs for
+ * spheres that do not overlap (Core/Statistics/PairSums/ProbabilityMap.h). Phases are the modes
+ * 1…N_p and the matrix m.
+ *
+ * Output: an image over the lag vectors x, with an array `S_m_m`, … for each of the PhasePairs, in
+ * slabs over the ranks. Its centre is x = 0.
+ */
+#ifndef vtkRUCProbabilityMap_h
+#define vtkRUCProbabilityMap_h
+
+#include "RUCStatisticsModule.h"
+#include "vtkRUCPackAlgorithm.h"
+
+#include <string>
+
+namespace ruc
+{
+struct PackShare;
+struct ProbabilityMap;
+}
+
+class RUCSTATISTICS_EXPORT vtkRUCProbabilityMap : public vtkRUCPackAlgorithm
+{
+public:
+  static vtkRUCProbabilityMap* New();
+  vtkTypeMacro(vtkRUCProbabilityMap, vtkRUCPackAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Pairs of phases such as "1 1; 3 m; m m". Default: "m m". */
+  vtkSetStdStringFromCharMacro(PhasePairs);
+  vtkGetCharFromStdStringMacro(PhasePairs);
+  ///@}
+  ///@{
+  /** Lag vectors from the centre of the image to each of its faces, 1 to 1000. Default: 20, an
+   * image of 41^3. */
+  vtkSetMacro(Resolution, int);
+  vtkGetMacro(Resolution, int);
+  ///@}
+  ///@{
+  /** Distance of the lag vectors. Default: 0, MaximumLag / Resolution. */
+  vtkSetMacro(Spacing, double);
+  vtkGetMacro(Spacing, double);
+  ///@}
+  ///@{
+  /**
+   * The largest lag along each axis, unless there is a Spacing. Default: 0, half the shortest edge
+   * of the window, as vtkRUCTwoPointProbability has it. The image reaches less far where a window
+   * without periodic axes does not hold its corners (ruc::LargestMapReach).
+   */
+  vtkSetMacro(MaximumLag, double);
+  vtkGetMacro(MaximumLag, double);
+  ///@}
+
+protected:
+  vtkRUCProbabilityMap() = default;
+  ~vtkRUCProbabilityMap() override = default;
+  const char* GetLabel() const override { return "Probability Map"; }
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
+  void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
+  ruc::Estimate MakeEstimate() override;
+
+private:
+  vtkRUCProbabilityMap(const vtkRUCProbabilityMap&) = delete;
+  void operator=(const vtkRUCProbabilityMap&) = delete;
+
+  void ValidateProperties() const;
+  // From the centre of the image to its faces
+  double FindReach(const ruc::PackShare& share) const;
+  // The map is the same on all ranks, of which each takes its slab
+  void FillImage(const ruc::ProbabilityMap& map, int modes, const RankCommunicator& ranks,
+    vtkInformationVector* outputs) const;
+
+  std::string PhasePairs = "m m";
+  int Resolution = 20;
+  double Spacing = 0.0;
+  double MaximumLag = 0.0;
+};
+
+#endif

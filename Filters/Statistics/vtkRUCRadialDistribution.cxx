@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRUCRadialDistribution.h"
+
+#include "MeasuredLags.h"
+#include "OutputSummary.h"
+#include "PackData.h"
+#include "ProgressReport.h"
+#include "RankCommunicator.h"
+#include "StatisticsEstimate.h"
+#include "TwoPointTables.h"
+#include "ruc/Particles/PackOverlap.h"
+#include "ruc/Statistics/Results/OnePointProbability.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkTable.h"
+
+vtkStandardNewMacro(vtkRUCRadialDistribution);
+
+int vtkRUCRadialDistribution::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
+  return 1;
+}
+
+void vtkRUCRadialDistribution::Execute(
+  vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+{
+  ProgressReport report(this, this->GetLabel());
+  const PackData::SharedPack pack =
+    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  const ruc::LagGrid lags = MeasuredLags::Find(this->MaximumLag, this->NumberOfLags, pack.Share);
+  const ruc::RadialDistribution distribution =
+    ruc::MeasureRadialDistribution(pack.Share, lags, ranks,
+      [&](double done)
+      {
+        if (ranks.Rank() == 0)
+        {
+          report.Update(done, "summing pairs");
+        }
+      });
+
+  vtkTable* table = vtkTable::GetData(outputs);
+  if (ranks.Rank() == 0)
+  {
+    TwoPointTables::FillRadialDistribution(distribution, table);
+  }
+  OutputSummary::AddLags(table, lags);
+  PackData::AddPackSummary(table, pack, pack.Share.NumberOfSpheres,
+    ruc::OnePointProbability(pack.Share), ruc::MeasureOverlap(pack.Share, ranks).Percent);
+}
+
+ruc::Estimate vtkRUCRadialDistribution::MakeEstimate()
+{
+  const ruc::PackFigures pack = this->FindFigures();
+  const ruc::LagGrid lags =
+    StatisticsEstimate::FindLags(this->MaximumLag, this->NumberOfLags, pack, true);
+  ruc::Estimate estimate = StatisticsEstimate::OfPack(pack, this->MaximumLag, lags);
+  estimate += ruc::EstimateRadialDistribution(pack, lags);
+  return estimate;
+}
+
+void vtkRUCRadialDistribution::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumLag: " << this->MaximumLag << "\n";
+  os << indent << "NumberOfLags: " << this->NumberOfLags << "\n";
+}
