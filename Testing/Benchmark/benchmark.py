@@ -64,12 +64,12 @@ template = sampling_job(periodic, Method='Template Sampling', NumberOfThrows=200
 report('periodic pack of 8000, 50 000 lines', '%.2f s  error %.4f' % chords)
 report('the same by 2000 throws of the template', '%.2f s  error %.4f' % template)
 report('chords cheaper at equal error by a factor of', '%.0f' % (template[0] * template[1] ** 2 / (chords[0] * chords[1] ** 2)))
-for what, settings in (('32 directions', {'NumberOfDirections': 32}), ('radial distribution functions', {'RadialDistribution': 1}),
-                       ('map of S_mm(x), 41^3', {'ImagePairs': 'm m'}), ('chord lengths of 20 000 lines', {'ChordLengths': 1})):
-    probability = TwoPointProbability(Input=modes, MaximumLag=200, **settings)
+for what, filter in (('S_rs along 32 directions', DirectionalProbability), ('radial distribution functions', RadialDistribution),
+                     ('map of S_mm(x), 41^3', ProbabilityMap), ('chord lengths of 20 000 lines', ChordLengths)):
+    probability = filter(Input=modes, MaximumLag=200)
     begin = time.perf_counter()
     probability.UpdatePipeline()
-    report('all S_rs and ' + what, '%.2f s' % (time.perf_counter() - begin))
+    report(what, '%.2f s' % (time.perf_counter() - begin))
 
 
 def three_point_job(**settings):
@@ -128,8 +128,8 @@ def estimate_job(what, filter, **settings):
 
 for method in ('Exact Pair Sum', 'Chord Sampling', 'Template Sampling'):
     estimate_job(method, TwoPointProbability, Method=method)
-estimate_job('32 directions', TwoPointProbability, NumberOfDirections=32)
-estimate_job('map 21^3', TwoPointProbability, ImagePairs='m m', ImageResolution=10)
+estimate_job('32 directions', DirectionalProbability)
+estimate_job('map 21^3', ProbabilityMap, Resolution=10)
 estimate_job('fans', ThreePointProbability)
 estimate_job('Gradient, 200 iterations', UnitCellReconstruction, NumberOfParticles=1082, MaximumIterations=200)
 estimate_job('Annealed Population, 20 generations', UnitCellReconstruction, NumberOfParticles=1082, Method='Annealed Population', MaximumGenerations=20)

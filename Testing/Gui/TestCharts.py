@@ -17,9 +17,13 @@ if len(sys.argv) > 3:
 
 reader = pv.SpherePackReader(FileName=pack, BoxSize=[10, 10, 10], BoxPeriodic=[1, 1, 1], LengthUnit="µm")
 modes = pv.ParticleModes(Input=reader, Method="One Per Size")
-two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=40, NumberOfDirections=2, ChordLengths=1, RadialDistribution=1, Autocovariance=1,
-                                   ImagePairs="m m", ImageResolution=3)
-sampled = pv.TwoPointProbability(Input=modes, NumberOfLags=40, NumberOfDirections=2, Method="Chord Sampling", NumberOfLines=100)
+two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=40)
+sampled = pv.TwoPointProbability(Input=modes, NumberOfLags=40, Method="Chord Sampling", NumberOfLines=100)
+directions = pv.DirectionalProbability(Input=modes, NumberOfLags=40, NumberOfDirections=2)
+sampled_directions = pv.DirectionalProbability(Input=modes, NumberOfLags=40, NumberOfDirections=2, Method="Chord Sampling", NumberOfLines=100)
+of_pairs = pv.ProbabilityMap(Input=modes, Resolution=3)
+chords = pv.ChordLengths(Input=modes, NumberOfLags=40)
+radial = pv.RadialDistribution(Input=modes, NumberOfLags=40)
 cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags=40, MaximumIterations=5)
 three_point = pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5, NumberOfLags=8, NumberOfThrows=200, StandardErrors=1)
 of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=40)
@@ -33,13 +37,13 @@ CHARTS = {
     (modes, 1): ("Mode", ["VolumeFraction"], "Mode", "Volume fraction", ""),
     (two_point, 0): ("r", ["S_m_m"], LAG, "Probability S_rs", ""),
     (two_point, 2): ("r", ["S_m_m"], LAG, "Gradient dS_rs/dr (1/µm)", ""),
-    (two_point, 4): ("r", ["sigma_S_m_m"], LAG, "Deviation of S_rs over directions", ""),
-    (two_point, 5): ("r", ["S_m_m"], LAG, "Probability S_rs along directions", ""),
-    (two_point, 6): ("r", ["L_m", "p_m"], "Length (µm)", "Chord-length density p (1/µm)", "Lineal path L"),
-    (two_point, 7): ("r", ["g"], "Distance r (µm)", "Radial distribution g", ""),
-    (two_point, 8): ("r", ["chi_m_m"], LAG, "Autocovariance S_rs - c_r c_s", ""),
+    (directions, 0): ("r", ["sigma_S_m_m"], LAG, "Deviation of S_rs over directions", ""),
+    (directions, 1): ("r", ["S_m_m"], LAG, "Probability S_rs along directions", ""),
+    (chords, 0): ("r", ["L_m", "p_m"], "Length (µm)", "Chord-length density p (1/µm)", "Lineal path L"),
+    (radial, 0): ("r", ["g"], "Distance r (µm)", "Radial distribution g", ""),
+    (two_point, 3): ("r", ["chi_m_m"], LAG, "Autocovariance S_rs - c_r c_s", ""),
     (sampled, 0): ("r", ["S_m_m"], LAG, "Probability S_rs", ""),
-    (sampled, 4): ("r", ["sigma_S_m_m", "sigma_S_m_m_noise"], LAG, "Deviation of S_rs over directions", ""),
+    (sampled_directions, 0): ("r", ["sigma_S_m_m", "sigma_S_m_m_noise"], LAG, "Deviation of S_rs over directions", ""),
     (cell, 1): ("Iteration", ["Objective"], "Iteration", "Objective F2", "Overlap (%)"),
     (cell, 2): ("r", BOTH, LAG, "Probability S_rs", ""),
     (three_point, 1): ("r", ["S_m_m_m_r1_axis", "S_m_m_m_r1_axis_limit"], LAG, "Probability S_rsq", ""),
@@ -113,7 +117,7 @@ pv.Delete(view)
 
 # Images over lags: the middle slice, seen from above, with titled axes
 for source, port, titles, slice_number in ((three_point, 0, ["r1 (µm)", "r2 (µm)", "theta (degrees)"], 5),
-                                           (two_point, 3, ["x (µm)", "y (µm)", "z (µm)"], 3)):
+                                           (of_pairs, 0, ["x (µm)", "y (µm)", "z (µm)"], 3)):
     view = pv.CreateView("RenderView", ViewSize=[400, 300])
     pv.Show(modes, view)
     pv.Render(view)
@@ -122,7 +126,7 @@ for source, port, titles, slice_number in ((three_point, 0, ["r1 (µm)", "r2 (µ
     grid = display.DataAxesGrid
     check("image titles", (grid.GridAxesVisibility, [grid.XTitle, grid.YTitle, grid.ZTitle]), (1, titles))
     check("image slice", (display.Representation, display.Slice), ("Slice", slice_number))
-    check("image colours", display.ColorArrayName[1], "S_m_m" if source is two_point else "S_m_m_m")
+    check("image colours", display.ColorArrayName[1], "S_m_m" if source is of_pairs else "S_m_m_m")
     bounds = source.GetDataInformation(port).GetBounds()
     center = [0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3])]
     sight = [a - b for a, b in zip(view.CameraPosition, view.CameraFocalPoint)]

@@ -16,6 +16,7 @@ LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
 LABELS = {"Sphere Pack Reader": "sources", "Particle Modes": "filters", "One-Point Probability": "filters",
           "Two-Point Probability": "filters", "Three-Point Probability": "filters", "Compare Probabilities": "filters",
+          "Directional Probability": "filters", "Probability Map": "filters", "Chord Lengths": "filters", "Radial Distribution": "filters",
           "Unit Cell Reconstruction": "filters", "Periodic Replicas": "filters"}
 failures = []
 manager = servermanager.ProxyManager().SMProxyManager

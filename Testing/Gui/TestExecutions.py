@@ -12,14 +12,17 @@ from paraview.servermanager import OutputPort
 reader = pv.SpherePackReader(FileName=sys.argv[1], BoxSize=[10, 10, 10], BoxPeriodic=[1, 1, 1], LengthUnit="µm")
 modes = pv.ParticleModes(Input=reader, Method="One Per Size")
 one_point = pv.OnePointProbability(Input=modes)
-two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=20, NumberOfDirections=2, ChordLengths=1, NumberOfLines=50, RadialDistribution=1,
-                                   Autocovariance=1, ImagePairs="m m", ImageResolution=3)
+two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=20)
+directions = pv.DirectionalProbability(Input=modes, NumberOfLags=20, NumberOfDirections=2)
+of_pairs = pv.ProbabilityMap(Input=modes, Resolution=3)
+chords = pv.ChordLengths(Input=modes, NumberOfLags=20, NumberOfLines=50)
+radial = pv.RadialDistribution(Input=modes, NumberOfLags=20)
 cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags=20, MaximumIterations=5)
 three_point = pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5, NumberOfLags=8, NumberOfThrows=100)
 of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=20)
 comparison = pv.CompareProbabilities(Input=two_point, Cell=of_cell)
 replicas = pv.PeriodicReplicas(Input=cell)
-filters = [reader, modes, one_point, two_point, cell, three_point, of_cell, comparison, replicas]
+filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, cell, three_point, of_cell, comparison, replicas]
 
 runs = {}
 for source in filters:
@@ -44,7 +47,7 @@ def check(after):
 render = pv.CreateView("RenderView", ViewSize=[300, 200])
 displays = [pv.Show(source, render) for source in (reader, modes, cell, replicas)]
 pv.Render(render)
-for source in (one_point, two_point, three_point, of_cell, comparison):
+for source in (one_point, two_point, directions, of_pairs, chords, radial, three_point, of_cell, comparison):
     source.UpdatePipeline()
 check("the first outputs")
 

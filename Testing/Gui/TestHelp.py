@@ -16,6 +16,10 @@ PLUGIN, FILE = sys.argv[1:3]
 FORMULAS = {
     'filters.OnePointProbability': 'c_r = (1 / V) Σ (4 π / 3) a_i³',
     'filters.TwoPointProbability': 'S_rs(r) = (δ_rs / V) Σ V_ii(r) + Σ g(r, d_ij) / γ(d_ij)',
+    'filters.DirectionalProbability': 'σ_S_rs(r) = √( Σ (S_rs(r n) − mean)² / (M − 1) )',
+    'filters.ProbabilityMap': 'S_rs(x) = (δ_rs / V) Σ V_ii(|x|) + Σ V_ij(|d_ij − x|) / γ(d_ij)',
+    'filters.ChordLengths': 'L_r(r) = Σ (c − r)+ / Σ (l − r)+',
+    'filters.RadialDistribution': 'g_rs(r_k) = Σ (V / γ(d_ij)) / (N shell_k / V)',
     'filters.ThreePointProbability': 'ζ = 9 / (2 c (1 − c)) I_2 and η = 5 ζ / 21 + 150 / (7 c (1 − c)) I_4',
     'filters.UnitCellReconstruction': 'h_c³ = (4 π / 3) Σ n_i² r_i⁶ / Σ c_i n_i r_i³ (equation 12)',
     'filters.CompareProbabilities': 'E = Σ ‖S_rs pack − S_rs cell‖ / Σ (‖S_rs pack‖ + ‖S_rs cell‖) / 2 × 100 % (17)',
@@ -23,7 +27,12 @@ FORMULAS = {
     'filters.PeriodicReplicas': 'x + (i L_x, j L_y, k L_z)',
     'sources.SpherePackReader': 'position = Scale × (x, y, z)',
 }
-PROPERTIES = {'filters.TwoPointProbability': ['Method', 'Number Of Lines', 'Seed', 'Box Size', 'Estimated Time'],
+BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.RadialDistribution')
+PROPERTIES = {'filters.DirectionalProbability': ['Number Of Directions', 'Number Of Lines', 'Seed'],
+              'filters.ProbabilityMap': ['Phase Pairs', 'Resolution', 'Spacing'],
+              'filters.ChordLengths': ['Number Of Lines', 'Target Error', 'Mask Label'],
+              'filters.RadialDistribution': ['Maximum Lag', 'Number Of Lags', 'Estimated Memory'],
+              'filters.TwoPointProbability': ['Method', 'Number Of Lines', 'Seed', 'Box Size', 'Estimated Time'],
               'filters.UnitCellReconstruction': ['Method', 'Cell Size', 'Checkpoint Interval', 'Cylinder Axis'],
               'sources.SpherePackReader': ['Length Unit', 'Box Periodic']}
 
@@ -48,7 +57,8 @@ for proxy, formula in FORMULAS.items():
     text = ' '.join(page.split())
     if 'charset="utf-8"' not in page[:200]:
         failures.append(proxy + ' does not say its letters; Qt takes them for Latin-1')
-    for part in [formula, 'Phys. Rev. E 80, 061301 (2009)'] + ['<th>%s</th>' % label for label in PROPERTIES.get(proxy, [])]:
+    source = BOOK if proxy in FROM_THE_BOOK else 'Phys. Rev. E 80, 061301 (2009)'
+    for part in [formula, source] + ['<th>%s</th>' % label for label in PROPERTIES.get(proxy, [])]:
         if part not in text:
             failures.append('%s does not have: %s' % (proxy, part))
     if sum(formula in ' '.join(other.split()) for other in pages.values()) != 1:

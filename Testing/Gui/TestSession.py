@@ -26,7 +26,8 @@ if len(sys.argv) > 4:
 def make():
     reader = pv.SpherePackReader(registrationName="reader", FileName=path, BoxSize=[10, 10, 10], BoxPeriodic=[1, 1, 1], LengthUnit="µm")
     modes = pv.ParticleModes(registrationName="modes", Input=reader, Method="One Per Size")
-    two_point = pv.TwoPointProbability(registrationName="two_point", Input=modes, NumberOfLags=40, RadialDistribution=1)
+    two_point = pv.TwoPointProbability(registrationName="two_point", Input=modes, NumberOfLags=40)
+    radial = pv.RadialDistribution(registrationName="radial", Input=modes, NumberOfLags=40)
     cell = pv.UnitCellReconstruction(registrationName="cell", Input=modes, NumberOfParticles=30, NumberOfLags=40, MaximumIterations=10)
     of_cell = pv.TwoPointProbability(registrationName="of_cell", Input=cell, MaximumLag=5, NumberOfLags=40)
     three_point = pv.ThreePointProbability(registrationName="three_point", Input=modes, Phases="1 2 m; m m m", MaximumLag=5, NumberOfLags=20,
@@ -56,7 +57,7 @@ def make():
     displays[0].SeriesVisibility = ["S_1_1", "1", "S_m_m", "0"]
     view("XYChartView", 405, OutputPort(cell, 1))
     view("XYChartView", 406, OutputPort(comparison, 1))
-    view("XYChartView", 407, OutputPort(two_point, 7))
+    view("XYChartView", 407, radial)
     write(folder)
     pv.SaveState(f"{folder}/state.pvsm")
     with open(f"{folder}/state.py", "w") as file:
@@ -64,7 +65,7 @@ def make():
 
 
 def write(target):
-    lines = numbers_of(("reader", "modes", "two_point", "cell", "of_cell", "three_point", "comparison", "replicas"))
+    lines = numbers_of(("reader", "modes", "two_point", "radial", "cell", "of_cell", "three_point", "comparison", "replicas"))
     with open(f"{target}/numbers.txt", "w") as file:
         file.write("\n".join(lines) + "\n")
     for view in pv.GetViews():

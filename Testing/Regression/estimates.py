@@ -32,14 +32,19 @@ def make_pack():
 
 
 def filters():
-    return TwoPointProbability, ThreePointProbability, UnitCellReconstruction
+    return TwoPointProbability, ThreePointProbability, UnitCellReconstruction, *of_one_lag()
+
+
+def of_one_lag():
+    return DirectionalProbability, ProbabilityMap, ChordLengths, RadialDistribution
 
 
 def without_a_run():
     """The estimates are there before the first run, grow with the work, and running is left to the user."""
     pack = make_pack()
-    more = {TwoPointProbability: {'NumberOfDirections': 32}, ThreePointProbability: {'NumberOfThrows': 1000000},
-            UnitCellReconstruction: {'NumberOfCells': 4}}
+    more = {TwoPointProbability: {'NumberOfLags': 10000}, ThreePointProbability: {'NumberOfThrows': 1000000},
+            UnitCellReconstruction: {'NumberOfCells': 4}, DirectionalProbability: {'NumberOfDirections': 1000},
+            ProbabilityMap: {'Resolution': 60}, ChordLengths: {'NumberOfLines': 1000000}, RadialDistribution: {'MaximumLag': 15}}
     for filter in filters():
         source = filter(Input=pack)
         seconds, megabytes = estimate(source)
@@ -120,11 +125,17 @@ def nothing_to_go_by():
     pack = make_pack()
     for filter in filters():
         assert estimate(filter(Input=reader))[0] == 0.0, 'no modes'
-        for bad in ({'MaximumLag': -1.0}, {'NumberOfLags': 0}, {'NumberOfLags': -5}, {'MaximumLag': float('nan')}):
+        lags = () if filter is ProbabilityMap else ({'NumberOfLags': 0}, {'NumberOfLags': -5})
+        for bad in ({'MaximumLag': -1.0}, {'MaximumLag': float('nan')}, *lags):
             assert estimate(filter(Input=pack, **bad))[0] == 0.0, (filter, bad)
-    for bad in ({'ImagePairs': 'x'}, {'ImagePairs': '1 7'}, {'NumberOfDirections': 1}, {'Method': 'Chord Sampling', 'TargetError': 0.1},
-                {'Method': 'Chord Sampling', 'NumberOfLines': -3}):
-        assert estimate(TwoPointProbability(Input=pack, **bad))[0] == 0.0, bad
+    for bad in ({'Method': 'Chord Sampling', 'TargetError': 0.1}, {'Method': 'Chord Sampling', 'NumberOfLines': -3}):
+        for filter in (TwoPointProbability, DirectionalProbability):
+            assert estimate(filter(Input=pack, **bad))[0] == 0.0, (filter, bad)
+    assert estimate(DirectionalProbability(Input=pack, NumberOfDirections=1))[0] == 0.0
+    for bad in ({'TargetError': 0.1}, {'NumberOfLines': -3}):
+        assert estimate(ChordLengths(Input=pack, **bad))[0] == 0.0, bad
+    for bad in ({'PhasePairs': 'x'}, {'PhasePairs': '1 7'}, {'PhasePairs': ''}, {'Resolution': 0}, {'Spacing': -1.0}):
+        assert estimate(ProbabilityMap(Input=pack, **bad))[0] == 0.0, bad
     for bad in ({'Phases': '1 2'}, {'Phases': '1 2 9'}, {'NumberOfThrows': -1}, {'NumberOfDirections': -20}, {'NumberOfDirections': 100000}):
         assert estimate(ThreePointProbability(Input=pack, **bad))[0] == 0.0, bad
     for bad in ({'NumberOfParticles': -1}, {'NumberOfCells': 0}, {'CellSize': -2.0}, {'Method': 'Hybrid', 'HybridPopulation': 1}):

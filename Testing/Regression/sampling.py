@@ -206,8 +206,8 @@ def stretched_packs():
                 file.write('%.17g,%.17g,%.17g,%.17g\n' % (x, y, z * stretch, radius.GetValue(i)))
         pack = ParticleModes(Input=SpherePackReader(FileName=path, LengthUnit='µm', BoxSize=[box[0], box[1], box[2] * stretch],
                                                     BoxPeriodic=[1, 1, 1]), Method='One Per Size')
-        exact = columns(TwoPointProbability(Input=pack, **lags), 4)
-        chords = columns(TwoPointProbability(Input=pack, Method=CHORDS, NumberOfLines=500, **lags), 4)
+        exact = columns(DirectionalProbability(Input=pack, **lags))
+        chords = columns(DirectionalProbability(Input=pack, Method=CHORDS, NumberOfLines=500, **lags))
         sigma[stretch] = {name: norm(values) for name, values in exact.items() if name.startswith('sigma_')}
         for name in sigma[stretch]:
             measured, noise = norm(chords[name]), norm(chords[name + '_noise'])

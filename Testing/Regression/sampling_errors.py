@@ -17,9 +17,12 @@ with open(path, 'w') as file:
 modes = ParticleModes(Input=SpherePackReader(FileName=path), NumberOfModes=2)
 box = {'BoxOrigin': [-0.5] * 3, 'BoxSize': [9.0] * 3}
 one = OnePointProbability(Input=modes, Method='Chord Sampling', NumberOfLines=500, NumberOfThrows=50, **box)
-two = TwoPointProbability(Input=modes, Method='Chord Sampling', NumberOfLines=500, NumberOfThrows=50, MaximumLag=3, NumberOfLags=20,
-                          NumberOfDirections=3, ChordLengths=1, Autocovariance=1, RadialDistribution=1, ImagePairs='m m',
-                          ImageResolution=3, **box)
+lags = {'MaximumLag': 3, 'NumberOfLags': 20}
+two = TwoPointProbability(Input=modes, Method='Chord Sampling', NumberOfLines=500, NumberOfThrows=50, **lags, **box)
+directions = DirectionalProbability(Input=modes, Method='Chord Sampling', NumberOfLines=500, NumberOfDirections=3, **lags, **box)
+chords = ChordLengths(Input=modes, NumberOfLines=500, **lags, **box)
+radial = RadialDistribution(Input=modes, **lags, **box)
+image_of_pairs = ProbabilityMap(Input=modes, MaximumLag=3, Resolution=3, **box)
 
 
 def image(extent, function):
@@ -32,7 +35,7 @@ def update(source):
     result = []
     for port in range(source.SMProxy.GetNumberOfOutputPorts()):
         info = source.GetDataInformation(port)
-        result.append(info.GetNumberOfPoints() if port == 3 else info.GetNumberOfRows())
+        result.append(info.GetNumberOfRows() if info.GetDataSetTypeAsString() == 'vtkTable' else info.GetNumberOfPoints())
     return result
 
 
@@ -53,20 +56,26 @@ def fails_and_mends(source, bad):
 
 
 assert update(one) == [3], update(one)
-expected = update(two)
-assert expected[0] == 21 and expected[4] == 21 and expected[5] == 63 and expected[6:] == [21, 21, 21], expected
+assert update(two) == [21, 6, 21, 21], update(two)
+assert update(directions) == [21, 63], update(directions)
+assert update(chords) == [21] and update(radial) == [21], (update(chords), update(radial))
 
-for source in (one, two):
-    for bad in ({'NumberOfLines': 0}, {'Method': 'Template Sampling', 'NumberOfThrows': 0}, {'Seed': -1}, {'TargetError': -1.0},
-                {'WindowMargin': -0.5}, {'WindowMargin': 4.6}, {'BoxSize': [9.0, 9.0, -1.0]}, {'BoxSize': [0.25] * 3},
-                {'CylinderRadius': 5.0}, {'CylinderRadius': 5.0, 'BoxSize': [0.0] * 3}):
+WINDOWS = ({'BoxSize': [9.0, 9.0, -1.0]}, {'BoxSize': [0.25] * 3}, {'CylinderRadius': 5.0}, {'CylinderRadius': 5.0, 'BoxSize': [0.0] * 3})
+SAMPLES = ({'NumberOfLines': 0}, {'Seed': -1}, {'TargetError': -1.0}, {'WindowMargin': -0.5}, {'WindowMargin': 4.6})
+LAGS = ({'NumberOfLags': 0}, {'MaximumLag': 9.5})
+for source, properties in ((one, (*SAMPLES, {'Method': 'Template Sampling', 'NumberOfThrows': 0})),
+                           (two, (*SAMPLES, *LAGS, {'Method': 'Template Sampling', 'NumberOfThrows': 0}, {'SaturationTolerance': 0.0})),
+                           (directions, (*SAMPLES, *LAGS, {'NumberOfDirections': 1})),
+                           (chords, (*SAMPLES, *LAGS)),
+                           (radial, LAGS),
+                           (image_of_pairs, ({'PhasePairs': '1 x'}, {'PhasePairs': '1 3'}, {'Resolution': 0}, {'Spacing': 9.5}))):
+    for bad in (*WINDOWS, *properties):
         fails_and_mends(source, bad)
-for bad in ({'NumberOfDirections': 1}, {'Method': 'Template Sampling'}, {'NumberOfLags': 0}, {'MaximumLag': 9.5},
-            {'ImagePairs': '1 x'}, {'ImagePairs': '1 3'}, {'SaturationTolerance': 0.0}):
-    fails_and_mends(two, bad)
 
-# Masks: none of map and radial distribution with these
-two = TwoPointProbability(Input=modes, Method='Chord Sampling', NumberOfLines=500, MaximumLag=2, NumberOfLags=20, **box)
+# Masks
+two, directions, chords = (filter(Input=modes, NumberOfLines=500, MaximumLag=2, NumberOfLags=20, **box)
+                           for filter in (TwoPointProbability, DirectionalProbability, ChordLengths))
+two.Method = directions.Method = 'Chord Sampling'
 
 
 def rows(source):
@@ -75,7 +84,7 @@ def rows(source):
 
 
 good, empty, beyond = image([0, 8, 0, 8, 0, 8], '1'), image([0, 8, 0, 8, 0, 8], '0'), image([20, 28, 0, 8, 0, 8], '1')
-for source, expected in ((one, 3), (two, 21)):
+for source, expected in ((one, 3), (two, 21), (directions, 21), (chords, 21)):
     for name, bad in (('empty', {'Mask': empty}), ('beyond', {'Mask': beyond}), ('label', {'Mask': good, 'MaskLabel': 2}),
                       ('array', {'Mask': good, 'MaskArray': 'No such array'}), ('margin', {'Mask': good, 'WindowMargin': 4.6})):
         source.Mask = good
@@ -86,8 +95,8 @@ for source, expected in ((one, 3), (two, 21)):
         assert rows(source) == 0, (name, rows(source))
         source.Mask, source.MaskArray, source.MaskLabel, source.WindowMargin = good, 'Inside', 0, -1.0
         assert rows(source) == expected, (name, rows(source))
-two.Method = 'Exact Pair Sum'  # which knows no masks
-assert rows(two) == 0
+two.Method = directions.Method = 'Exact Pair Sum'  # which knows no masks
+assert rows(two) == rows(directions) == 0
 two.Method = 'Chord Sampling'
 assert rows(two) == 21
 print('sampling_errors.py: passed')
