@@ -38,8 +38,8 @@ def parse_arguments():
     statistics.add_argument("--lines", type=int, default=100000, help="lines of the chord sampling")
     statistics.add_argument("--throws", type=int, default=2000, help="throws of the paper's template")
     statistics.add_argument("--directions", type=int, default=32, help="directions of the test of isotropy")
-    statistics.add_argument("--image-pairs", default="m m; 5 5", help="pairs of phases of the map S_rs(x)")
-    statistics.add_argument("--image-resolution", type=int, default=20, help="steps from the centre of the map to its faces")
+    statistics.add_argument("--phase-pairs", default="m m; 5 5", help="pairs of phases of the map S_rs(x)")
+    statistics.add_argument("--resolution", type=int, default=20, help="steps from the centre of the map to its faces")
     statistics.add_argument("--seed", type=int, default=1, help="seed of lines and throws")
     parser.add_argument("--output", default="statistics_results", help="folder for the files")
     parser.add_argument("--check", action="store_true", help="test the results")
@@ -57,19 +57,20 @@ class Job:
         self.one = {method: OnePointProbability(Input=self.modes, Method=method, **samples)
                     for method in ("Sphere Volumes", CHORDS, TEMPLATE)}
         lags = {"MaximumLag": args.maximum_lag, "NumberOfLags": args.lags}
-        self.exact = TwoPointProbability(Input=self.modes, NumberOfDirections=args.directions, RadialDistribution=1,
-                                         Autocovariance=1, **lags)
-        self.chords = TwoPointProbability(Input=self.modes, Method=CHORDS, ChordLengths=1, **lags, **samples)
+        self.exact = TwoPointProbability(Input=self.modes, **lags)
+        self.chords = TwoPointProbability(Input=self.modes, Method=CHORDS, **lags, **samples)
         self.template = TwoPointProbability(Input=self.modes, Method=TEMPLATE, **lags, **samples)
-        # On its own, so that a change of the lines above does not take the map's time again
-        self.map = TwoPointProbability(Input=self.modes, ImagePairs=args.image_pairs, ImageResolution=args.image_resolution, **lags)
+        self.directions = DirectionalProbability(Input=self.modes, NumberOfDirections=args.directions, **lags)
+        self.chord_lengths = ChordLengths(Input=self.modes, NumberOfLines=args.lines, Seed=args.seed, **lags)
+        self.distances = RadialDistribution(Input=self.modes, **lags)
+        self.map = ProbabilityMap(Input=self.modes, PhasePairs=args.phase_pairs, Resolution=args.resolution, MaximumLag=args.maximum_lag)
         # What is written: file, filter, output port
         self.table_files = [
             ("modes.csv", self.modes, 1),
             ("two_point_exact.csv", self.exact, 0), ("two_point_chords.csv", self.chords, 0), ("two_point_template.csv", self.template, 0),
             ("checks_exact.csv", self.exact, 1), ("checks_chords.csv", self.chords, 1), ("checks_template.csv", self.template, 1),
-            ("gradients.csv", self.exact, 2), ("isotropy.csv", self.exact, 4),
-            ("chord_lengths.csv", self.chords, 6), ("radial_distribution.csv", self.exact, 7), ("autocovariance.csv", self.exact, 8)]
+            ("gradients.csv", self.exact, 2), ("isotropy.csv", self.directions, 0),
+            ("chord_lengths.csv", self.chord_lengths, 0), ("radial_distribution.csv", self.distances, 0), ("autocovariance.csv", self.exact, 3)]
 
     def path(self, name):
         return os.path.join(os.path.abspath(self.args.output), name)
@@ -140,13 +141,13 @@ def whole_image(source, port):
 
 def fetch_map(job):
     if not hasattr(job, "image"):
-        job.image = whole_image(job.map, 3)
+        job.image = whole_image(job.map, 0)
     return job.image
 
 
 def isotropy_in_percent(job, name):
     """The largest sigma_S in percent of S at the same lag, or of its limit where S is smaller."""
-    s, sigma = table_of(job.exact)[name], table_of(job.exact, 4)["sigma_" + name]
+    s, sigma = table_of(job.exact)[name], table_of(job.directions)["sigma_" + name]
     checks = table_of(job.exact, 1)
     limit = checks["Limit"][checks["Pair"].index(name)]
     return max(100.0 * b / max(a, limit) for a, b in zip(s[1:], sigma[1:]))
@@ -162,7 +163,7 @@ def largest_pairs(job):
 def print_summary(job, seconds):
     unit, one = job.args.unit, one_point(job)
     print(f"\n{'phase':>5} {'sphere volumes':>15} {'chords':>20} {'template':>20} {'mean chord':>11}")
-    mean_chords = field(fetch(job.chords, 6), "MeanChordLength")
+    mean_chords = field(fetch(job.chord_lengths), "MeanChordLength")
     for i, phase in enumerate(one["Phase"]):
         sampled = [f"{one[name][i]:.5f} ± {one[name + '_error'][i]:.5f}" for name in ("ChordSampling", "TemplateSampling")]
         print(f"{phase:>5} {one['SphereVolumes'][i]:15.5f} {sampled[0]:>20} {sampled[1]:>20} {mean_chords[i]:11.3f}")
@@ -203,7 +204,8 @@ def main():
     print(f"reading  {args.input}")
     print(f"         {fetch(job.modes).GetNumberOfPoints()} spheres", flush=True)
     seconds = {}
-    for name, source in (("exact with directions", job.exact), ("chords", job.chords), ("template", job.template), ("map", job.map)):
+    for name, source in (("exact", job.exact), ("chords", job.chords), ("template", job.template), ("directions", job.directions),
+                         ("chord lengths", job.chord_lengths), ("distances", job.distances), ("map", job.map)):
         start = time.time()
         fetch(source)
         seconds[name] = time.time() - start
@@ -290,7 +292,7 @@ def check_identities(job):
         require(all(close(sum(values), c_r, 1e-11) for values in zip(*own)), f"the sum over s of S_{r}_s is not c_{r}")
         for s, values in zip(phases, own):
             require(close(values[0], c_r if r == s else 0.0, at_zero), f"S_{r}_{s}(0) is wrong")
-    gradients, covariances, step = table_of(job.exact, 2), table_of(job.exact, 8), args.maximum_lag / args.lags
+    gradients, covariances, step = table_of(job.exact, 2), table_of(job.exact, 3), args.maximum_lag / args.lags
     for (i, r), (j, s) in itertools.combinations_with_replacement(enumerate(phases), 2):
         name = pair(phases, r, s)
         values = exact[name]
@@ -341,7 +343,7 @@ def check_methods(job):
 
 def check_isotropy(job):
     """isotropy: sigma_S is the scatter of the directions, whose mean is S_rs, and it is small"""
-    along, sigma, exact = table_of(job.exact, 5), table_of(job.exact, 4), table_of(job.exact)
+    along, sigma, exact = table_of(job.directions, 1), table_of(job.directions), table_of(job.exact)
     number, count = job.args.directions, job.args.lags + 1
     require(len(along["r"]) == number * count, "a row for each direction and lag is wanted")
     for name in largest_pairs(job):
@@ -359,7 +361,7 @@ def check_isotropy(job):
 
 def check_map(job):
     """map S_rs(x): the value at 0, x and -x, and the limits"""
-    image, n = fetch_map(job), job.args.image_resolution
+    image, n = fetch_map(job), job.args.resolution
     edge = 2 * n + 1
     require(image.GetDimensions() == (edge, edge, edge), f"the map has {image.GetDimensions()} points")
     c = dict(zip(job.phases(), table_of(job.one["Sphere Volumes"])["VolumeFraction"]))
@@ -377,9 +379,9 @@ def check_map(job):
 
 def check_chord_lengths(job):
     """chord lengths: sums, lineal paths, and mean chords against volume and surface"""
-    table, phases = table_of(job.chords, 6), job.phases()
+    table, phases = table_of(job.chord_lengths), job.phases()
     two, step = table_of(job.chords), job.args.maximum_lag / job.args.lags
-    means = field(fetch(job.chords, 6), "MeanChordLength")
+    means = field(fetch(job.chord_lengths), "MeanChordLength")
     for i, phase in enumerate(phases):
         density, path = table["p_" + phase], table["L_" + phase]
         # The probabilities of all lengths; there are longer chords than the last lag, and scatter
@@ -399,7 +401,7 @@ def check_chord_lengths(job):
 
 def check_distances(job):
     """g_rs(r): none below contact, 1 far away"""
-    table = table_of(job.exact, 7)
+    table = table_of(job.distances)
     step, smallest = job.args.maximum_lag / job.args.lags, min(table_of(job.modes, 1)["MinimumDiameter"])
     if field(fetch(job.exact), "OverlapPercent") < 0.01:
         # Contacts may press in by a little, and a bin reaches half a step to either side

@@ -67,9 +67,10 @@ def show_side_by_side(name, left, *right):
 
 def statistics():
     modes = read_pack()
-    probabilities = TwoPointProbability(registrationName="Two-point", Input=modes, MaximumLag=200, RadialDistribution=1)
+    probabilities = TwoPointProbability(registrationName="Two-point", Input=modes, MaximumLag=200)
+    distances = RadialDistribution(registrationName="Distances", Input=modes, MaximumLag=200)
     show_side_by_side("Statistics", show_in_space(modes), show_chart(probabilities, ("S_7_7", "S_8_8", "S_8_m", "S_m_m")),
-                      show_chart(OutputPort(probabilities, 7)))
+                      show_chart(distances))
 
 
 def reconstruction():
