@@ -4,7 +4,6 @@
 
 #include "ruc/Base/Text.h"
 #include "ruc/Reconstruction/CellContents.h"
-#include "ruc/Statistics/PairSums/ExactPairSum.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -31,6 +30,21 @@ void Require(bool good, const char* what)
   {
     throw std::invalid_argument(ruc::Text("An estimate requires ", what, "."));
   }
+}
+
+// The window of a pack without one, of which a rank knows its piece: the piece's bounds, or a cube
+// of the pack's volume where there is more of it
+ruc::Window GuessWindow(vtkPointSet* piece, double share)
+{
+  double bounds[6];
+  piece->GetBounds(bounds);
+  ruc::Vector3 edges = { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] };
+  if (share < 1.0)
+  {
+    const double volume = edges[0] * edges[1] * edges[2] / share;
+    edges.fill(std::cbrt(volume));
+  }
+  return ruc::Window::MakeBox({ 0.0, 0.0, 0.0 }, edges, { false, false, false });
 }
 }
 
@@ -71,33 +85,10 @@ ruc::PackFigures PackEstimate::FindFigures(
     Require(total && total->GetNumberOfValues() == 1, "the number of spheres on all ranks");
     pack.Spheres = total->GetTuple1(0);
   }
-  if (const std::optional<ruc::Window> window = PackData::FindWindowHere(piece, properties))
-  {
-    pack.Volume = window->Volume();
-    pack.ShortestEdge = window->ShortestEdge();
-    pack.Periodic = window->IsFullyPeriodic();
-  }
-  else
-  {
-    double bounds[6];
-    piece->GetBounds(bounds);
-    const double share = points / pack.Spheres;
-    const double edges[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] };
-    pack.Volume = edges[0] * edges[1] * edges[2] / share;
-    // The bounds of a piece are not those of the pack
-    pack.ShortestEdge = share < 1.0 ? std::cbrt(pack.Volume) : *std::min_element(edges, edges + 3);
-  }
-  Require(pack.Volume > 0.0 && pack.MeanRadius > 0.0 && std::isfinite(cubes), "spheres in space");
+  const std::optional<ruc::Window> window = PackData::FindWindowHere(piece, properties);
+  pack.Observed = window ? *window : GuessWindow(piece, points / pack.Spheres);
+  Require(pack.MeanRadius > 0.0 && std::isfinite(cubes), "spheres in space");
   return pack;
-}
-
-double PackEstimate::AutomaticLag(const ruc::PackFigures& pack, bool exact)
-{
-  const double half = 0.5 * pack.ShortestEdge;
-  // Of the exact sum the diameter, of samples two margins
-  const double largest = pack.ShortestEdge - 2.0 * pack.LargestRadius;
-  Require(pack.Periodic || largest > 0.0, "a window larger than its spheres");
-  return pack.Periodic ? half : std::min(half, (exact ? 0.999 : 0.998) * largest);
 }
 
 ruc::CellFigures PackEstimate::FindCellFigures(

@@ -19,10 +19,6 @@ namespace PackEstimate RUCCOMMON_EXPORT
 ruc::PackFigures FindFigures(
   vtkPointSet* piece, const PackData::WindowProperties& properties, double spheres, int ranks);
 
-/** The last lag that MaximumLag = 0 stands for, of the exact sum or, with its margin, of samples.
- */
-double AutomaticLag(const ruc::PackFigures& pack, bool exact);
-
 /** A cell like those of a table of S_rs with spheres of these diameters, still without a number;
  * and the table's lags. Throws std::invalid_argument where the table does not tell. */
 ruc::CellFigures FindCellFigures(

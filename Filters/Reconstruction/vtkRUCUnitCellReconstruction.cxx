@@ -14,6 +14,7 @@
 #include "ruc/Base/Text.h"
 #include "ruc/Estimates/Estimates.h"
 #include "ruc/Reconstruction/CellContents.h"
+#include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Results/TwoPointChecks.h"
 
 #include "vtkInformation.h"
@@ -367,13 +368,12 @@ ruc::CellFigures vtkRUCUnitCellReconstruction::FindCellFigures(
   {
     const ruc::PackFigures pack = this->FindFigures();
     cell = { 0.0, pack.Density(), pack.LargestRadius, pack.Modes };
-    const double automatic = PackEstimate::AutomaticLag(pack, true);
     input = ruc::EstimatePack(pack);
     if (this->NumberOfParticles == 0 && this->ModeCounts.empty() && edge == 0.0)
     {
-      input +=
-        ruc::EstimatePairSum(pack, TwoPointSum::MakeLags(0.0, this->NumberOfLags, automatic));
-      edge = 2.0 * std::min(automatic, TypicalSaturation * pack.MeanDiameter);
+      const ruc::LagLimit limit = ruc::LagLimit::ForPairSum(pack.Observed, pack.LargestRadius);
+      input += ruc::EstimatePairSum(pack, limit.MakeGrid(0.0, this->NumberOfLags));
+      edge = 2.0 * std::min(limit.Automatic, TypicalSaturation * pack.MeanDiameter);
     }
   }
   cell.Spheres = !this->ModeCounts.empty()
@@ -399,7 +399,7 @@ ruc::Estimate vtkRUCUnitCellReconstruction::MakeEstimate()
   }
   if (lags.Count == 0)
   {
-    lags = TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags, 0.5 * edge);
+    lags = ruc::LagLimit::ForCell(edge).MakeGrid(this->MaximumLag, this->NumberOfLags);
     if (this->MaximumLag == 0.0)
     {
       estimate.Automatic += ruc::Text(
@@ -473,13 +473,14 @@ void vtkRUCUnitCellReconstruction::Execute(
   const auto findEdge = [&]()
   {
     const ruc::LagGrid lags =
-      TwoPointSum::MakeLags(0.0, this->NumberOfLags, TwoPointSum::AutomaticLag(pack.Share));
+      ruc::LagLimit::ForPairSum(pack.Share.Observed, pack.Share.LargestRadius)
+        .MakeGrid(0.0, this->NumberOfLags);
     return this->FindEdge(
       TwoPointSum::Compute(pack.Share, lags, ranks, report), pack.Share.MeanDiameter(), ranks);
   };
   const ruc::CellContents contents = this->FindContents(this->FindAmounts(pack.Share), findEdge);
   const ruc::LagGrid lags =
-    TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags, 0.5 * contents.Edge);
+    ruc::LagLimit::ForCell(contents.Edge).MakeGrid(this->MaximumLag, this->NumberOfLags);
   const ruc::TwoPointProbability target = TwoPointSum::Compute(pack.Share, lags, ranks, report);
   this->Reconstruct(contents, target, pack.LengthUnit, outputs, ranks, report);
 }

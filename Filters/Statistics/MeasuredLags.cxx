@@ -2,17 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasuredLags.h"
 
-#include "TwoPointSum.h"
-
-#include <algorithm>
+#include "ruc/Statistics/Results/LagLimit.h"
 
 ruc::LagGrid MeasuredLags::Find(double maximum, int count, const ruc::PackShare& share,
   const ruc::SamplingRegion* region, bool hasMask)
 {
-  if (!region)
-  {
-    return TwoPointSum::MakeLags(maximum, count, TwoPointSum::AutomaticLag(share));
-  }
-  const double edge = (hasMask ? region->GetBounds() : share.Observed).ShortestEdge();
-  return TwoPointSum::MakeLags(maximum, count, std::min(0.5 * edge, region->LargestLag()));
+  const ruc::LagLimit limit = region
+    ? ruc::LagLimit::ForSampling(hasMask ? region->GetShape() : share.Observed, region->GetShape())
+    : ruc::LagLimit::ForPairSum(share.Observed, share.LargestRadius);
+  return limit.MakeGrid(maximum, count);
 }

@@ -10,10 +10,9 @@
 namespace MeasuredLags
 {
 /**
- * The lags for the properties MaximumLag, `maximum`, and NumberOfLags, `count`. MaximumLag = 0
- * stands for half the shortest edge, or for the largest lag that the method allows: of sums over
- * pairs where `region` is null, else of lines and throws in that region. The edge is that of the
- * window, or with a mask that of the mask's bounds. Throws std::invalid_argument for numbers out
+ * The lags for the properties MaximumLag, `maximum`, and NumberOfLags, `count`. They
+ * are those of ruc::LagLimit for sums over pairs where `region` is null, else for lines and throws
+ * in that region of the window or mask. Throws std::invalid_argument for numbers out
  * of range.
  */
 ruc::LagGrid Find(double maximum, int count, const ruc::PackShare& share,

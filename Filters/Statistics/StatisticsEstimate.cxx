@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StatisticsEstimate.h"
 
-#include "PackEstimate.h"
-#include "TwoPointSum.h"
 #include "ruc/Base/Text.h"
+#include "ruc/Statistics/Results/LagLimit.h"
 
 #include <stdexcept>
 
 ruc::LagGrid StatisticsEstimate::FindLags(
   double maximum, int count, const ruc::PackFigures& pack, bool exact)
 {
-  return TwoPointSum::MakeLags(maximum, count, PackEstimate::AutomaticLag(pack, exact));
+  const ruc::LagLimit limit = exact
+    ? ruc::LagLimit::ForPairSum(pack.Observed, pack.LargestRadius)
+    : ruc::LagLimit::ForSampling(pack.Observed, pack.Observed.Shrunk(pack.LargestRadius));
+  return limit.MakeGrid(maximum, count);
 }
 
 ruc::Estimate StatisticsEstimate::OfPack(

@@ -12,6 +12,7 @@
 #include "ruc/Base/Text.h"
 #include "ruc/Particles/PackOverlap.h"
 #include "ruc/Statistics/PairSums/ProbabilityMap.h"
+#include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 #include "ruc/Statistics/Results/Phases.h"
 
@@ -118,7 +119,7 @@ double vtkRUCProbabilityMap::FindReach(const ruc::PackShare& share) const
   const double maximum = MeasuredLags::Find(this->MaximumLag, 1, share).Maximum();
   return this->Spacing > 0.0
     ? this->Resolution * this->Spacing
-    : std::min(maximum, ruc::LargestMapReach(share.LargestRadius, share.Observed));
+    : ruc::LagLimit::ForMap(share.Observed, share.LargestRadius, maximum).Automatic;
 }
 
 void vtkRUCProbabilityMap::FillImage(const ruc::ProbabilityMap& map, int modes,

@@ -53,7 +53,7 @@ public:
   /**
    * The largest lag along each axis, unless there is a Spacing. Default: 0, half the shortest edge
    * of the window, as vtkRUCTwoPointProbability has it. The image reaches less far where a window
-   * without periodic axes does not hold its corners (ruc::LargestMapReach).
+   * without periodic axes does not hold its corners (ruc::LagLimit::ForMap).
    */
   vtkSetMacro(MaximumLag, double);
   vtkGetMacro(MaximumLag, double);

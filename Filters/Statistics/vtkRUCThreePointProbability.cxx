@@ -12,6 +12,7 @@
 #include "ruc/Base/Text.h"
 #include "ruc/Estimates/Estimates.h"
 #include "ruc/Particles/PackOverlap.h"
+#include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
 #include "ruc/Statistics/Sampling/FanSampling.h"
 
@@ -98,9 +99,9 @@ double vtkRUCThreePointProbability::GetEstimatedMemory()
 ruc::Estimate vtkRUCThreePointProbability::MakeEstimate()
 {
   const ruc::PackFigures pack = this->FindFigures();
-  const ruc::ThreePointGrid grid = { TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags,
-                                       std::min((pack.Periodic ? 0.5 : 0.25) * pack.ShortestEdge,
-                                         PackEstimate::AutomaticLag(pack, false))),
+  const ruc::LagLimit limit =
+    ruc::LagLimit::ForFans(pack.Observed, pack.Observed.Shrunk(pack.LargestRadius));
+  const ruc::ThreePointGrid grid = { limit.MakeGrid(this->MaximumLag, this->NumberOfLags),
     this->NumberOfDirections };
   if (this->NumberOfThrows < 1 || grid.Directions < 2 || grid.Directions > ruc::MostFanDirections)
   {
@@ -128,12 +129,10 @@ void vtkRUCThreePointProbability::Execute(
   const std::vector<ruc::PhaseTriple> triples = ruc::ParseTriples(this->Phases, modes);
   const std::unique_ptr<ruc::SamplingRegion> region = this->MakeRegion(pack, ranks);
   const bool periodic = region->IsFullyPeriodic();
-  const double edge = (this->HasMask() ? region->GetBounds() : share.Observed).ShortestEdge();
-  const ruc::ThreePointGrid grid = {
-    TwoPointSum::MakeLags(this->MaximumLag, this->NumberOfLags,
-      std::min((periodic ? 0.5 : 0.25) * edge, ruc::LargestFanLag(*region))),
-    this->NumberOfDirections
-  };
+  const ruc::LagLimit limit = ruc::LagLimit::ForFans(
+    this->HasMask() ? region->GetShape() : share.Observed, region->GetShape());
+  const ruc::ThreePointGrid grid = { limit.MakeGrid(this->MaximumLag, this->NumberOfLags),
+    this->NumberOfDirections };
   ruc::FanSettings settings;
   settings.Seed = this->GetCheckedSeed();
   settings.Throws = this->NumberOfThrows;

@@ -82,11 +82,12 @@ double PairsOfChanges(double hits, double length, double lag)
 double PackFigures::PairsWithin(double distance) const
 {
   const double all = 0.5 * this->Spheres * this->Spheres;
-  if (this->Periodic)
+  const double volume = this->Observed.Volume();
+  if (this->Observed.IsFullyPeriodic())
   {
-    return all * 4.0 / 3.0 * Pi * Cube(distance) / this->Volume;
+    return all * 4.0 / 3.0 * Pi * Cube(distance) / volume;
   }
-  return all * CubePairShare(std::min(distance / std::cbrt(this->Volume), 1.0));
+  return all * CubePairShare(std::min(distance / std::cbrt(volume), 1.0));
 }
 
 Estimate& Estimate::operator+=(const Estimate& other)
@@ -141,8 +142,8 @@ Estimate EstimateRadialDistribution(const PackFigures& pack, const LagGrid& lags
 Estimate EstimateChords(const PackFigures& pack, const LagGrid& lags, double lines)
 {
   // The mean chord of a cube, 4 volumes over the surface; and a periodic line with its last lag
-  const double edge = std::cbrt(pack.Volume);
-  const double length = pack.Periodic ? edge + lags.Maximum() : 2.0 / 3.0 * edge;
+  const double edge = std::cbrt(pack.Observed.Volume());
+  const double length = pack.Observed.IsFullyPeriodic() ? edge + lags.Maximum() : 2.0 / 3.0 * edge;
   const double hits = HitsOn(length, pack);
   const double ordered = (pack.Modes + 1.0) * (pack.Modes + 1.0);
   // As many lines in a batch as spheres lie side by side

@@ -5,6 +5,7 @@
 #include "ruc/Reconstruction/Population/PopulationSettings.h"
 #include "ruc/Statistics/Results/LagGrid.h"
 #include "ruc/Statistics/ThirdOrder/ThreePointGrid.h"
+#include "ruc/Window/Window.h"
 
 #include <cstddef>
 #include <string>
@@ -22,9 +23,7 @@ namespace ruc
 struct PackFigures
 {
   double Spheres = 0.0;
-  double Volume = 0.0;       // of the window
-  double ShortestEdge = 0.0; // of the window
-  bool Periodic = false;     // along all axes
+  Window Observed; // of the centres
   double MeanRadius = 0.0;
   double MeanSquareRadius = 0.0;
   double LargestRadius = 0.0;
@@ -32,7 +31,7 @@ struct PackFigures
   int Modes = 1;
   int Types = 1; // of spheres: mode and radius
 
-  double Density() const { return this->Spheres / this->Volume; }
+  double Density() const { return this->Spheres / this->Observed.Volume(); }
   /** Of centres up to `distance` apart; periodic images count. In a window that of a cube of the
    * same volume, up to its edge. */
   double PairsWithin(double distance) const;

@@ -155,6 +155,7 @@ double VoxelMask::Volume() const
 
 VoxelMask VoxelMask::Eroded(double margin) const
 {
+  RequireMargin(margin);
   if (margin == 0.0)
   {
     return *this;

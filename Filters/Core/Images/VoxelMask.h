@@ -47,10 +47,11 @@ public:
   const Window& GetBounds() const { return this->Bounds; }
 
   /**
-   * The voxels all points of which are at least `margin` >= 0 from every outside voxel and from the
+   * The voxels all points of which are at least `margin` from every outside voxel and from the
    * border of the image (within 1e-9 of the margin, so that a box shrinks by whole voxels where the
    * margin is a multiple of the spacing). A margin of 0 keeps every voxel.
-   * Throws std::invalid_argument when no voxel is left.
+   * Throws std::invalid_argument for a margin that RequireMargin refuses, and when no voxel is
+   * left.
    */
   VoxelMask Eroded(double margin) const;
 

@@ -3,12 +3,10 @@
 #include "ruc/Tracing/SamplingRegion.h"
 
 #include "ruc/Base/Random.h"
-#include "ruc/Base/Text.h"
 #include "ruc/Base/Vector3.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace ruc
 {
@@ -26,67 +24,6 @@ Vector3 IsotropicDirection(double u, double v)
   return { lateral * std::cos(2.0 * Pi * v), lateral * std::sin(2.0 * Pi * v), z };
 }
 
-void RequireMargin(double margin)
-{
-  if (!(margin >= 0.0 && std::isfinite(margin)))
-  {
-    throw std::invalid_argument(Text("Margin requires a finite number >= 0, got ", margin, "."));
-  }
-}
-
-Window Shrunk(const Window& window, double margin)
-{
-  RequireMargin(margin);
-  const auto require = [&](bool room)
-  {
-    if (!room)
-    {
-      throw std::invalid_argument(Text("The window requires room for a margin of ", margin,
-        " along its border, got a ", window.Describe(), "."));
-    }
-  };
-  if (window.GetShape() == Window::Shape::Cylinder)
-  {
-    require(window.Radius > margin && window.Height > 2.0 * margin);
-    Vector3 base = window.Base;
-    for (int q = 0; q < 3; ++q)
-    {
-      base[q] += margin * window.Axis[q];
-    }
-    return Window::MakeCylinder(
-      base, window.Axis, window.Radius - margin, window.Height - 2.0 * margin);
-  }
-  Vector3 origin = window.Origin, size = window.Size;
-  for (int q = 0; q < 3; ++q)
-  {
-    if (!window.Periodic[q])
-    {
-      require(size[q] > 2.0 * margin);
-      origin[q] += margin;
-      size[q] -= 2.0 * margin;
-    }
-  }
-  return Window::MakeBox(origin, size, window.Periodic);
-}
-
-Window BoundsOf(const Window& window)
-{
-  if (window.GetShape() == Window::Shape::Box)
-  {
-    return window;
-  }
-  Vector3 origin, size;
-  for (int q = 0; q < 3; ++q)
-  {
-    const double lateral =
-      window.Radius * std::sqrt(std::max(1.0 - window.Axis[q] * window.Axis[q], 0.0));
-    const double along = window.Height * window.Axis[q];
-    origin[q] = window.Base[q] + std::min(along, 0.0) - lateral;
-    size[q] = std::abs(along) + 2.0 * lateral;
-  }
-  return Window::MakeBox(origin, size, { false, false, false });
-}
-
 // Narrows [begin, end] to the t with low <= position + t slope <= high
 void ClipToSlab(double position, double slope, double low, double high, double& begin, double& end)
 {
@@ -99,12 +36,11 @@ void ClipToSlab(double position, double slope, double low, double high, double& 
   begin = std::max(begin, std::min(t0, t1));
   end = std::min(end, std::max(t0, t1));
 }
-
 }
 
 SamplingRegion::SamplingRegion(const Window& window, double margin)
-  : Shape(Shrunk(window, margin))
-  , Bounds(BoundsOf(this->Shape))
+  : Shape(window.Shrunk(margin))
+  , Bounds(this->Shape.GetBounds())
 {
   if (this->Shape.GetShape() == Window::Shape::Cylinder)
   {
@@ -120,7 +56,6 @@ SamplingRegion::SamplingRegion(const Window& window, double margin)
 
 SamplingRegion::SamplingRegion(const VoxelMask& mask, double margin)
 {
-  RequireMargin(margin);
   this->Mask = mask.Eroded(margin);
   this->Shape = this->Mask->GetBounds();
   this->Bounds = this->Shape;
@@ -145,11 +80,6 @@ bool SamplingRegion::Contains(const Vector3& point) const
 double SamplingRegion::Volume() const
 {
   return this->Mask ? this->Mask->Volume() : this->Shape.Volume();
-}
-
-double SamplingRegion::LargestLag() const
-{
-  return (this->IsFullyPeriodic() ? 4.0 : 0.999) * this->Shape.ShortestEdge();
 }
 
 Vector3 SamplingRegion::RandomPoint(std::uint32_t seed, std::uint32_t sample) const

@@ -40,12 +40,8 @@ public:
   /** The smallest axis-aligned box that holds the region, with the periodic axes of its window. */
   const Window& GetBounds() const { return this->Bounds; }
 
-  /**
-   * The largest lag: four times the shortest edge of a fully periodic box; else 0.999 of the
-   * shortest edge of the region (of a cylinder the lesser of diameter and height, of a mask that of
-   * its bounds), beyond which not every direction has pairs of points.
-   */
-  double LargestLag() const;
+  /** The region itself where it came from a window, without the margin; of a mask its bounds. */
+  const Window& GetShape() const { return this->Shape; }
 
   /** A point uniform in the region. */
   Vector3 RandomPoint(std::uint32_t seed, std::uint32_t sample) const;

@@ -42,6 +42,14 @@ double SharedDiscArea(double radius, double distance)
 }
 }
 
+void RequireMargin(double margin)
+{
+  if (!(margin >= 0.0 && std::isfinite(margin)))
+  {
+    throw std::invalid_argument(Text("Margin requires a finite number >= 0, got ", margin, "."));
+  }
+}
+
 Window Window::MakeBox(
   const Vector3& origin, const Vector3& size, const std::array<bool, 3>& periodic)
 {
@@ -135,6 +143,58 @@ double Window::SetCovariance(double dx, double dy, double dz) const
   const double along = dx * this->Axis[0] + dy * this->Axis[1] + dz * this->Axis[2];
   const double lateral = std::sqrt(std::max(dx * dx + dy * dy + dz * dz - along * along, 0.0));
   return SharedDiscArea(this->Radius, lateral) * std::max(this->Height - std::abs(along), 0.0);
+}
+
+Window Window::Shrunk(double margin) const
+{
+  RequireMargin(margin);
+  const auto require = [&](bool room)
+  {
+    if (!room)
+    {
+      throw std::invalid_argument(Text("The window requires room for a margin of ", margin,
+        " along its border, got a ", this->Describe(), "."));
+    }
+  };
+  if (this->WindowShape == Shape::Cylinder)
+  {
+    require(this->Radius > margin && this->Height > 2.0 * margin);
+    Vector3 base = this->Base;
+    for (int q = 0; q < 3; ++q)
+    {
+      base[q] += margin * this->Axis[q];
+    }
+    return MakeCylinder(base, this->Axis, this->Radius - margin, this->Height - 2.0 * margin);
+  }
+  Vector3 origin = this->Origin, size = this->Size;
+  for (int q = 0; q < 3; ++q)
+  {
+    if (!this->Periodic[q])
+    {
+      require(size[q] > 2.0 * margin);
+      origin[q] += margin;
+      size[q] -= 2.0 * margin;
+    }
+  }
+  return MakeBox(origin, size, this->Periodic);
+}
+
+Window Window::GetBounds() const
+{
+  if (this->WindowShape == Shape::Box)
+  {
+    return *this;
+  }
+  Vector3 origin, size;
+  for (int q = 0; q < 3; ++q)
+  {
+    const double lateral =
+      this->Radius * std::sqrt(std::max(1.0 - this->Axis[q] * this->Axis[q], 0.0));
+    const double along = this->Height * this->Axis[q];
+    origin[q] = this->Base[q] + std::min(along, 0.0) - lateral;
+    size[q] = std::abs(along) + 2.0 * lateral;
+  }
+  return MakeBox(origin, size, { false, false, false });
 }
 
 double Window::Reach() const

@@ -54,6 +54,16 @@ public:
    */
   double SetCovariance(double dx, double dy, double dz) const;
 
+  /**
+   * The window without a layer of thickness `margin` along its border; a periodic axis has no
+   * border and keeps its edge. Throws std::invalid_argument unless the margin passes RequireMargin
+   * and leaves a volume.
+   */
+  Window Shrunk(double margin) const;
+
+  /** The smallest box with edges along the axes that holds the window. */
+  Window GetBounds() const;
+
   /** Every displacement shorter than this has a set covariance > 0; infinity where all axes are
    * periodic. */
   double Reach() const;
@@ -77,4 +87,7 @@ public:
 private:
   Shape WindowShape = Shape::Box;
 };
+
+/** Throws std::invalid_argument unless the thickness of a margin is finite and >= 0. */
+void RequireMargin(double margin);
 }

@@ -11,9 +11,9 @@ ruc::PackFigures MakePack(double spheres, bool periodic)
 {
   ruc::PackFigures pack;
   pack.Spheres = spheres;
-  pack.Volume = spheres; // of density 1
-  pack.ShortestEdge = std::cbrt(pack.Volume);
-  pack.Periodic = periodic;
+  const double edge = std::cbrt(spheres); // of density 1
+  pack.Observed =
+    ruc::Window::MakeBox({ 0, 0, 0 }, { edge, edge, edge }, { periodic, periodic, periodic });
   pack.MeanRadius = pack.LargestRadius = 0.5;
   pack.MeanSquareRadius = 0.25;
   pack.MeanDiameter = 1.0;
@@ -26,7 +26,7 @@ ruc::PackFigures MakePack(double spheres, bool periodic)
 std::pair<double, double> CountPairs(const ruc::PackFigures& pack, double distance)
 {
   constexpr int Boxes = 40;
-  const double edge = std::cbrt(pack.Volume);
+  const double edge = pack.Observed.ShortestEdge();
   oracle::Uniform uniform(5);
   double sum = 0.0, squares = 0.0;
   for (int box = 0; box < Boxes; ++box)
@@ -45,7 +45,7 @@ std::pair<double, double> CountPairs(const ruc::PackFigures& pack, double distan
         for (int q = 0; q < 3; ++q)
         {
           double d = std::abs(points[i][q] - points[j][q]);
-          d = pack.Periodic ? std::min(d, edge - d) : d;
+          d = pack.Observed.IsFullyPeriodic() ? std::min(d, edge - d) : d;
           square += d * d;
         }
         pairs += square < distance * distance;

@@ -70,13 +70,13 @@ TEST(SamplingRegion, ShrinksByItsMargin)
 {
   const SamplingRegion box(Box, 0.5);
   EXPECT_DOUBLE_EQ(box.Volume(), 3.0 * 4.0 * 6.0);
-  EXPECT_DOUBLE_EQ(box.LargestLag(), 0.999 * 3.0);
+  EXPECT_DOUBLE_EQ(box.GetShape().ShortestEdge(), 3.0);
   EXPECT_TRUE(box.Contains({ -0.5, 2.5, 3.5 }));
   EXPECT_FALSE(box.Contains({ -0.6, 2.5, 3.5 }));
 
   const SamplingRegion cylinder(Cylinder, 0.5);
   EXPECT_DOUBLE_EQ(cylinder.Volume(), Pi * 1.5 * 1.5 * 4.0);
-  EXPECT_DOUBLE_EQ(cylinder.LargestLag(), 0.999 * 3.0);
+  EXPECT_DOUBLE_EQ(cylinder.GetShape().ShortestEdge(), 3.0);
 
   const SamplingRegion partly(
     Window::MakeBox({ 0, 0, 0 }, { 4, 5, 7 }, { true, false, false }), 0.5);
@@ -86,13 +86,13 @@ TEST(SamplingRegion, ShrinksByItsMargin)
 
   const SamplingRegion periodic(oracle::PeriodicCube(3.0), 2.0);
   EXPECT_DOUBLE_EQ(periodic.Volume(), 27.0);
-  EXPECT_DOUBLE_EQ(periodic.LargestLag(), 12.0);
+  EXPECT_DOUBLE_EQ(periodic.GetShape().ShortestEdge(), 3.0);
   EXPECT_TRUE(periodic.IsFullyPeriodic());
 
   const SamplingRegion mask(
     VoxelMask({ 8, 8, 9 }, { 0, 0, 0 }, { 1, 1, 1 }, std::vector<std::uint8_t>(8 * 8 * 9, 1)), 2.0);
   EXPECT_DOUBLE_EQ(mask.Volume(), 4.0 * 4.0 * 5.0);
-  EXPECT_DOUBLE_EQ(mask.LargestLag(), 0.999 * 4.0);
+  EXPECT_DOUBLE_EQ(mask.GetShape().ShortestEdge(), 4.0);
 }
 
 TEST(SamplingRegion, PointsAreUniform)

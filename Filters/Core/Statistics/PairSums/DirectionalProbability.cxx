@@ -7,8 +7,8 @@
 #include "ruc/Base/Vector3.h"
 #include "ruc/Base/VectorClones.h"
 #include "ruc/Particles/SphereOverlap.h"
-#include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/PairSums/WeightedPairs.h"
+#include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 
 #include <algorithm>
@@ -225,7 +225,8 @@ void CheckDirections(const std::vector<Vector3>& directions, int modes, const La
 DirectionalProbability SumPairsAlong(const PackShare& share, const std::vector<Vector3>& directions,
   const LagGrid& lags, Communicator& ranks, const std::function<void(double)>& progress)
 {
-  ExactPairSum::CheckLags(share, lags);
+  CheckNumberOfLags(share.NumberOfModes(), lags);
+  LagLimit::ForPairSum(share.Observed, share.LargestRadius).Check(lags.Maximum());
   CheckDirections(directions, share.NumberOfModes(), lags);
   const DirectionalSum sum(share, lags, ranks);
   DirectionalProbability result;

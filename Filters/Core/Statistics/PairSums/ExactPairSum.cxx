@@ -10,6 +10,7 @@
 #include "ruc/Particles/SphereOverlap.h"
 #include "ruc/Statistics/PairSums/PairHistogram.h"
 #include "ruc/Statistics/PairSums/PairLoops.h"
+#include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 
 #include <omp.h>
@@ -339,27 +340,10 @@ private:
   std::vector<double> Inverse;
 };
 
-void ExactPairSum::CheckLags(const PackShare& share, const LagGrid& lags)
-{
-  CheckNumberOfLags(share.NumberOfModes(), lags);
-  const double largest = LargestLag(share.LargestRadius, share.Observed);
-  if (!(largest > 0.0))
-  {
-    throw std::invalid_argument(
-      Text("The window requires edges longer than the largest sphere's diameter, ",
-        2.0 * share.LargestRadius, ", got a ", share.Observed.Describe(), "."));
-  }
-  if (!(lags.Maximum() > 0.0 && lags.Maximum() <= largest * (1.0 + 1e-12)))
-  {
-    throw std::invalid_argument(Text("MaximumLag requires 0 < MaximumLag <= ", largest,
-      " for this ", share.Observed.Describe(), " and spheres of up to ", 2.0 * share.LargestRadius,
-      " diameter, got ", lags.Maximum(), "."));
-  }
-}
-
 ExactPairSum::ExactPairSum(const PackShare& share, const LagGrid& lags, Communicator& ranks)
 {
-  CheckLags(share, lags);
+  CheckNumberOfLags(share.NumberOfModes(), lags);
+  LagLimit::ForPairSum(share.Observed, share.LargestRadius).Check(lags.Maximum());
   const std::vector<SphereType> types = FindTypes(share.Own, ranks);
   if (types.size() <= MostTypes && PairHistogram::EstimateSize(types, lags) <= LargestHistogram)
   {
@@ -386,12 +370,6 @@ ExactPairSum::ExactPairSum(const SpherePack& pack, const Window& window, const L
 }
 
 ExactPairSum::~ExactPairSum() = default;
-
-double ExactPairSum::LargestLag(double largestRadius, const Window& window)
-{
-  return window.IsFullyPeriodic() ? 4.0 * window.ShortestEdge()
-                                  : (window.Reach() - 2.0 * largestRadius) * 0.999;
-}
 
 std::size_t ExactPairSum::NumberOfChunks() const
 {

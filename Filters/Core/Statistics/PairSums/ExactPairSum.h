@@ -25,7 +25,7 @@ namespace ruc
  * of the window. Spheres that overlap are counted twice where they do.
  *
  * The pack may be spread over ranks (PackShare): every rank works on its share and the surroundings
- * within LargestLag + a + b that it asks the others for. The work is a number of chunks; a chunk
+ * within r_K + a + b that it asks the others for. The work is a number of chunks; a chunk
  * adds integers to an array of SumsSize(), so the chunks may be shared out in any way and the
  * arrays of different threads and ranks added up. Few sphere types (mode and radius) share tables
  * over the distance, with an error below 1e-6 c_r (1e-5 where lags are much finer than the
@@ -36,22 +36,12 @@ class ExactPairSum
 public:
   /**
    * Collective. Throws std::invalid_argument, the same on every rank, for lags out of range: see
-   * LargestLag().
+   * LagLimit::ForPairSum.
    */
   ExactPairSum(const PackShare& share, const LagGrid& lags, Communicator& ranks);
   /** For one rank that holds all of a pack, in any order. */
   ExactPairSum(const SpherePack& pack, const Window& window, const LagGrid& lags);
   ~ExactPairSum();
-
-  /**
-   * The largest lag the window allows: 0.999 of (the shortest non-periodic edge less the largest
-   * diameter), so that every pair that matters has a place in the window with some weight left;
-   * four times the shortest edge where all axes are periodic.
-   */
-  static double LargestLag(double largestRadius, const Window& window);
-
-  /** Throws std::invalid_argument for lags out of range: what the constructor asks of them. */
-  static void CheckLags(const PackShare& share, const LagGrid& lags);
 
   /** Of this rank. */
   std::size_t NumberOfChunks() const;

@@ -7,8 +7,8 @@
 #include "ruc/Base/Vector3.h"
 #include "ruc/Base/VectorClones.h"
 #include "ruc/Particles/SphereOverlap.h"
-#include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/PairSums/WeightedPairs.h"
+#include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 #include "ruc/Statistics/Results/TwoPointProbability.h"
 
@@ -191,19 +191,7 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
     throw std::invalid_argument(
       Text("Spacing requires a finite number > 0, got ", spacing, "."));
   }
-  const double largest = LargestMapReach(share.LargestRadius, share.Observed);
-  if (!(largest > 0.0))
-  {
-    throw std::invalid_argument(
-      Text("The window requires edges longer than the largest sphere's diameter, ",
-        2.0 * share.LargestRadius, ", got a ", share.Observed.Describe(), "."));
-  }
-  if (!(reach > 0.0 && reach <= largest * (1.0 + 1e-12)))
-  {
-    throw std::invalid_argument(Text("Spacing x Resolution requires a length > 0 and <= ",
-      largest, " for this ", share.Observed.Describe(), " and spheres of up to ",
-      2.0 * share.LargestRadius, " diameter, got ", reach, "."));
-  }
+  LagLimit::ForMap(share.Observed, share.LargestRadius).Check(reach);
   const double most = std::floor(0.5 * (std::cbrt(MostNumbers / pairs.size()) - 1.0));
   const double half = std::floor(reach / spacing * (1.0 + 1e-12));
   if (half > most)
@@ -212,26 +200,6 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
       pairs.size(), " pairs of phases, got ", half, "."));
   }
 }
-}
-
-double LargestMapReach(double largestRadius, const Window& window)
-{
-  if (window.GetShape() == Window::Shape::Box)
-  {
-    return ExactPairSum::LargestLag(largestRadius, window);
-  }
-  // The corners of the cube reach farthest, along the axis and across it
-  double along = 0.0, across = 0.0;
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const double a = std::abs(window.Axis[0] + (corner & 1 ? -1.0 : 1.0) * window.Axis[1] +
-      (corner & 2 ? -1.0 : 1.0) * window.Axis[2]);
-    along = std::max(along, a);
-    across = std::max(across, std::sqrt(std::max(3.0 - a * a, 0.0)));
-  }
-  return 0.999 *
-    std::min((window.Height - 2.0 * largestRadius) / along,
-      2.0 * (window.Radius - largestRadius) / across);
 }
 
 ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int, 2>>& pairs,

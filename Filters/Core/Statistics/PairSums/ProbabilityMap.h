@@ -36,18 +36,6 @@ struct ProbabilityMap
 };
 
 /**
- * The largest reach of a map. Every pair with a displacement closer than a diameter to a lag vector
- * of the map, so to a cube of half edge `reach`, must have a place in the window, with some weight
- * left: 0.999 of
- *   - the shortest non-periodic edge less the largest diameter for a box;
- *   - for a cylinder of axis u the lesser of (height - diameter) / (|u_x| + |u_y| + |u_z|) and
- *     (2 radius - diameter) / (the largest distance of a corner of the cube of half edge 1 from the
- *     axis), upright that is sqrt(2);
- * four times the shortest edge where all axes are periodic.
- */
-double LargestMapReach(double largestRadius, const Window& window);
-
-/**
  * Exact S_rs(x) of a pack of spheres, as SumPairsAlong has it along a direction, symmetrised over x
  * and -x: the map is even, exactly, and S_rs = S_sr. Pairs with the matrix follow from those of the
  * particles as in TwoPointProbability::CompleteMatrix. Half is floor(reach / spacing) along all
@@ -56,7 +44,7 @@ double LargestMapReach(double largestRadius, const Window& window);
  * Collective; the result is equal, bit by bit, on every rank and for any number of ranks and
  * threads. `progress` is told the share that is done, on the calling thread.
  * Throws std::invalid_argument, the same on every rank, for pairs of phases that do not exist or
- * none, spacing or reach that are not finite and > 0, a reach above LargestMapReach, and for more
+ * none, spacing or reach that are not finite and > 0, a reach above LagLimit::ForMap, and for more
  * than 5e7 numbers (voxels x pairs).
  */
 ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int, 2>>& pairs,

@@ -3,33 +3,16 @@
 #include "ruc/Statistics/PairSums/RadialDistribution.h"
 
 #include "ruc/Base/FixedPointSums.h"
-#include "ruc/Base/Text.h"
 #include "ruc/Particles/SphereOverlap.h"
-#include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/PairSums/WeightedPairs.h"
+#include "ruc/Statistics/Results/LagLimit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace ruc
 {
-namespace
-{
-void CheckReach(const LagGrid& lags, const Window& window)
-{
-  // r_K + Spacing / 2 = r_K (1 + 1 / 2K) is the last distance
-  const double largest = ExactPairSum::LargestLag(0.0, window) / (1.0 + 0.5 / lags.Count);
-  if (!(lags.Maximum() > 0.0 && lags.Maximum() <= largest * (1.0 + 1e-12)))
-  {
-    throw std::invalid_argument(
-      Text("MaximumLag requires 0 < MaximumLag <= ", largest, " for distances of centres in this ",
-        window.Describe(), " in ", lags.Count, " bins, got ", lags.Maximum(), "."));
-  }
-}
-}
-
 int RadialDistribution::PairOf(int r, int s) const
 {
   const int low = std::min(r, s);
@@ -41,7 +24,7 @@ RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGr
 {
   const int modes = share.NumberOfModes();
   CheckNumberOfLags(modes, lags);
-  CheckReach(lags, share.Observed);
+  LagLimit::ForDistances(share.Observed, lags.Count).Check(lags.Maximum());
   const std::size_t bins = static_cast<std::size_t>(lags.Count) + 1;
   const std::vector<double> unset(bins, std::numeric_limits<double>::quiet_NaN());
   RadialDistribution result{ lags, modes, {}, unset };

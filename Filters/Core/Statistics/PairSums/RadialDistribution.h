@@ -36,9 +36,8 @@ struct RadialDistribution
  *
  * Collective; the result is equal, bit by bit, on every rank and for any number of ranks and
  * threads. `progress` is told the share that is done, on the calling thread.
- * Throws std::invalid_argument, the same on every rank, for a number of lags that ExactPairSum
- * would refuse, and where r_K + Spacing / 2 exceeds ExactPairSum::LargestLag of spheres without
- * size.
+ * Throws std::invalid_argument, the same on every rank, for a number of lags out of range and
+ * a last lag beyond LagLimit::ForDistances.
  */
 RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGrid& lags,
   Communicator& ranks, const std::function<void(double)>& progress = {});

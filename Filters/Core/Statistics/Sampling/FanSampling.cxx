@@ -3,6 +3,7 @@
 #include "ruc/Statistics/Sampling/FanSampling.h"
 
 #include "ruc/Base/Text.h"
+#include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
 #include "ruc/Tracing/RayFan.h"
 
@@ -61,11 +62,6 @@ void AddTransposed(Number* slice, int points)
     }
   }
 }
-}
-
-double LargestFanLag(const SamplingRegion& region)
-{
-  return region.LargestLag() * (region.IsFullyPeriodic() ? 1.0 : 0.5);
 }
 
 double EstimateFanMemory(
@@ -606,9 +602,7 @@ void CheckFans(
     "NumberOfDirections requires a number from 2 to 512", grid.Directions);
   require(grid.Lags.Count >= 1 && grid.Lags.Count <= MostFanLags,
     "NumberOfLags requires a number from 1 to 20000", grid.Lags.Count);
-  const double largest = LargestFanLag(region);
-  require(grid.Lags.Maximum() > 0.0 && grid.Lags.Maximum() <= largest * (1.0 + 1e-12),
-    Text("MaximumLag requires 0 < MaximumLag <= ", largest).c_str(), grid.Lags.Maximum());
+  LagLimit::ForFans(region.GetShape(), region.GetShape()).Check(grid.Lags.Maximum());
 }
 
 ThreePointProbability SampleFans(const SpherePack& own, int modes, const SamplingRegion& region,

@@ -24,10 +24,6 @@ struct FanSettings
   bool WithErrors = false; // standard errors, at the cost of three times the memory
 };
 
-/** The largest lag of S_rsq: four times the shortest edge of a fully periodic box; else 0.4995 of
- * the shortest edge of the region, so that two opposite rays have room in every direction. */
-double LargestFanLag(const SamplingRegion& region);
-
 /** Throws std::invalid_argument for settings, lags or directions out of range, as SampleFans does.
  */
 void CheckFans(

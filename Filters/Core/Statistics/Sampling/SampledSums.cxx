@@ -5,6 +5,7 @@
 #include "ruc/Base/FixedPoint.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Base/VectorClones.h"
+#include "ruc/Statistics/Results/LagLimit.h"
 
 #include <cmath>
 #include <limits>
@@ -253,11 +254,9 @@ void CheckSampling(const SamplingSettings& settings, const SampleNames& names, i
   {
     CheckNumberOfLags(modes, lags);
   }
-  const double largest = region.LargestLag();
-  if (lags.Count > 0 && !(lags.Maximum() > 0.0 && lags.Maximum() <= largest * (1.0 + 1e-12)))
+  if (lags.Count > 0)
   {
-    throw std::invalid_argument(
-      Text("MaximumLag requires 0 < MaximumLag <= ", largest, ", got ", lags.Maximum(), "."));
+    LagLimit::ForSampling(region.GetShape(), region.GetShape()).Check(lags.Maximum());
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
+#include "ruc/Statistics/Results/LagLimit.h"
 
 #include "Oracles.h"
 #include "ruc/Particles/SphereOverlap.h"
@@ -735,11 +736,6 @@ TEST(ExactPairSum, LagsOutOfRange)
   const SpherePack pack = Lattice({ { 0.1, 0.1, 0.1 }, { 0.5, 0.5, 0.5 } }, 10.0, 1.0);
   const Window periodic = oracle::PeriodicCube(10.0);
   const Window open = Window::MakeBox({ 0, 0, 0 }, { 10, 12, 14 }, { false, false, false });
-  const Window slab = Window::MakeBox({ 0, 0, 0 }, { 10, 12, 14 }, { true, true, false });
-  EXPECT_DOUBLE_EQ(ExactPairSum::LargestLag(pack.LargestRadius(), periodic), 40.0);
-  EXPECT_NEAR(ExactPairSum::LargestLag(pack.LargestRadius(), open), 0.999 * 8.0, 1e-12);
-  EXPECT_NEAR(ExactPairSum::LargestLag(pack.LargestRadius(), slab), 0.999 * 12.0, 1e-12);
-  EXPECT_LT(ExactPairSum::LargestLag(pack.LargestRadius(), slab), 12.0);
   EXPECT_NO_THROW(ExactPairSum(pack, periodic, { 1.0, 40 }));
   EXPECT_SAYS(
     ExactPairSum(pack, periodic, { 1.0, 41 }), "MaximumLag requires 0 < MaximumLag <= 40");
@@ -769,7 +765,7 @@ TEST(ExactPairSum, LargestLagIsStillExact)
     for (double share : { 0.9, 0.99, 1.0 })
     {
       const LagGrid lags = {
-        share * ExactPairSum::LargestLag(inside.LargestRadius(), window) / 10.0, 10
+        share * ruc::LagLimit::ForPairSum(window, inside.LargestRadius()).Largest / 10.0, 10
       };
       std::vector<double> expected(11, 0.0);
       for (std::size_t i = 0; i < inside.Size(); ++i)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Statistics/PairSums/ProbabilityMap.h"
+#include "ruc/Statistics/Results/LagLimit.h"
 
 #include "Oracles.h"
 #include "ThreadRanks.h"
@@ -79,7 +80,7 @@ TEST(ProbabilityMap, EqualsBruteForceOverPairs)
     {
       const SpherePack pack = PackIn(window, overlapping);
       const double reach =
-        std::min(3.0, ruc::LargestMapReach(pack.LargestRadius(), window)); // 2.6 in the cylinder
+        ruc::LagLimit::ForMap(window, pack.LargestRadius(), 3.0).Automatic; // 2.6 in the cylinder
       const ruc::ProbabilityMap map = Map(pack, window, AllPairs, 0.37, reach);
       const int n = map.Half[0];
       ASSERT_EQ(n, static_cast<int>(reach / 0.37));
@@ -209,40 +210,6 @@ TEST(ProbabilityMap, TheSameForAnyRanksAndThreads)
 
 // Every displacement closer than a diameter to the cube has a set covariance > 0, and little more
 // than the reach would not do
-TEST(ProbabilityMap, ReachIsWhatTheWindowAllows)
-{
-  const std::vector<Window> windows = {
-    Window::MakeBox({ 0, 0, 0 }, { 10, 12, 14 }, { false, false, false }),
-    Window::MakeBox({ 0, 0, 0 }, { 10, 12, 14 }, { true, false, true }),
-    Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, 5.0, 30.0),
-    Window::MakeCylinder({ 0, 0, 0 }, { 0.3, -0.2, 1.0 }, 50.0, 8.0),
-    Window::MakeCylinder({ 0, 0, 0 }, { -1.0, 0.7, 0.1 }, 5.0, 30.0),
-  };
-  for (const Window& window : windows)
-  {
-    const double reach = ruc::LargestMapReach(0.5, window);
-    double least[2] = { 1e300, 1e300 };
-    oracle::Uniform random(3);
-    for (int n = 0; n < 200000; ++n)
-    {
-      const ruc::Vector3 u = random.Direction();
-      for (int longer : { 0, 1 })
-      {
-        const double edge = longer ? 1.01 * reach : reach;
-        ruc::Vector3 d;
-        for (int q = 0; q < 3; ++q)
-        {
-          d[q] = (n >> q & 1 ? edge : -edge) + u[q];
-        }
-        least[longer] = std::min(least[longer], window.SetCovariance(d[0], d[1], d[2]));
-      }
-    }
-    EXPECT_GT(least[0], 0.0) << window.Describe();
-    EXPECT_EQ(least[1], 0.0) << window.Describe();
-  }
-  EXPECT_EQ(ruc::LargestMapReach(0.5, oracle::PeriodicCube(10.0)), 40.0);
-}
-
 TEST(ProbabilityMap, BadInputIsRefused)
 {
   const Window box = Window::MakeBox({ 0, 0, 0 }, { 10, 10, 10 }, { false, false, false });

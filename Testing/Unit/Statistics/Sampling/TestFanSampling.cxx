@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Statistics/Sampling/FanSampling.h"
+#include "ruc/Statistics/Results/LagLimit.h"
 
 #include "Measure.h"
 #include "Oracles.h"
@@ -271,7 +272,7 @@ TEST(FanSampling, LagsLongerThanAPeriodicBox)
   const SamplingRegion region(box, 0.0);
   const SpherePack pack = oracle::RandomPack({ 1, 8 }, { 1.0, 0.3 }, box, 2);
   const ThreePointGrid grid = { { 0.7, 12 }, 5 };
-  EXPECT_DOUBLE_EQ(ruc::LargestFanLag(region), 8.4);
+  EXPECT_DOUBLE_EQ(ruc::LagLimit::ForFans(box, region.GetShape()).Largest, grid.Lags.Maximum());
   const FanSettings settings = { 1, 100, false };
   const ThreePointProbability sampled = Fans(pack, 2, region, grid, Triples, settings);
   const Points points = LookUpPoints(pack, 2, region, grid, settings);
