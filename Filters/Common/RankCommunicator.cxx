@@ -167,8 +167,7 @@ RankSignal::RankSignal(const RankCommunicator& ranks)
 {
   if (ranks.Rank() > 0)
   {
-    this->Controller->NoBlockReceive(
-      this->Word.data(), static_cast<int>(this->Word.size()), 0, SignalTag, this->Receipt);
+    this->Controller->NoBlockReceive(&this->Message, 1, 0, SignalTag, this->Receipt);
   }
 }
 
@@ -180,31 +179,30 @@ RankSignal::~RankSignal()
   }
 }
 
-void RankSignal::Give(const std::string& word)
+void RankSignal::Give(int message)
 {
   if (this->Done)
   {
     return;
   }
   this->Done = true;
-  word.copy(this->Word.data(), this->Word.size() - 1);
+  this->Message = message;
   for (int rank = 1; rank < this->Ranks.Size(); ++rank)
   {
-    this->Controller->Send(
-      this->Word.data(), static_cast<vtkIdType>(this->Word.size()), rank, SignalTag);
+    this->Controller->Send(&this->Message, 1, rank, SignalTag);
   }
 }
 
-std::string RankSignal::Heard()
+int RankSignal::Heard()
 {
   if (this->Ranks.Rank() > 0 && !this->Done)
   {
     this->Done = this->Receipt.Test() != 0;
   }
-  return this->Done ? this->Word.data() : std::string();
+  return this->Done ? this->Message : 0;
 }
 
-void RankSignal::Close(const std::function<std::string()>& ask)
+void RankSignal::Close(const std::function<int()>& ask)
 {
   const int ranks = this->Ranks.Size();
   if (this->Ranks.Rank() > 0)
@@ -231,12 +229,12 @@ void RankSignal::Close(const std::function<std::string()>& ask)
       ++rank;
       continue;
     }
-    const std::string word = ask();
-    if (!word.empty())
+    const int message = ask();
+    if (message != 0)
     {
-      this->Give(word);
+      this->Give(message);
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
-  this->Give({}); // for which the others wait
+  this->Give(0); // for which the others wait
 }

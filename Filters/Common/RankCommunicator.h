@@ -9,7 +9,6 @@
 #include "vtkMultiProcessController.h"
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -48,8 +47,8 @@ private:
 };
 
 /**
- * A word that the lowest rank, once it is done, may give to the others that still go their own
- * ways, without a step that they take together. Made and closed by all ranks.
+ * One-way message from rank 0, once it is done, to the ranks that still work on their own, such as
+ * the reason to stop. It is a number; 0 stands for none. Construction and Close are collective.
  */
 class RUCCOMMON_EXPORT RankSignal
 {
@@ -57,26 +56,24 @@ public:
   explicit RankSignal(const RankCommunicator& ranks);
   ~RankSignal();
 
-  /** The word, or nothing as long as there is none; to be called as often as wanted. */
-  std::string Heard();
+  /** The message, or 0 as long as there is none; may be called at any time and rate. */
+  int Heard();
 
   /**
-   * Collective: ends when all ranks have come here. Until then the lowest one calls `ask` some ten
-   * times a second and gives the first word that it returns, of at most 31 characters.
+   * Collective: ends when all ranks have come here. Until then rank 0 calls `ask` about ten times a
+   * second, and sends the first number that is not 0.
    */
-  void Close(const std::function<std::string()>& ask);
+  void Close(const std::function<int()>& ask);
 
 private:
   RankSignal(const RankSignal&) = delete;
   void operator=(const RankSignal&) = delete;
 
-  void Give(const std::string& word);
-
-  using Letter = std::array<char, 32>;
+  void Give(int message);
 
   const RankCommunicator& Ranks;
   vtkMPIController* Controller;        // null where there is one rank
   vtkMPICommunicator::Request Receipt; // of a higher rank
-  Letter Word = {};
+  int Message = 0;
   bool Done = false; // given, or received
 };

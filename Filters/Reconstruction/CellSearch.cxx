@@ -7,7 +7,6 @@
 #include "ruc/Reconstruction/SearchCheckpoint.h"
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -61,7 +60,15 @@ struct ByPopulation
 CellSearch::FoundCell NewCell(int number, const ruc::TwoPointProbability& target)
 {
   const ruc::TwoPointProbability none(target.Modes, target.Lags);
-  return { number, { {}, ruc::Window(), 0.0, 0.0, {}, 0, {}, none, {} }, {}, {} };
+  return { number, { {}, ruc::Window(), 0.0, 0.0, {}, 0, ruc::EndReason::None, none, {} }, {}, {} };
+}
+
+// The reason that one rank knows, the others having none
+ruc::EndReason Agree(ruc::EndReason own, RankCommunicator& ranks)
+{
+  auto number = static_cast<std::int64_t>(own);
+  ranks.Sum(&number, 1);
+  return static_cast<ruc::EndReason>(number);
 }
 
 // All that Find returns of a cell as numbers, but EndedBy and what follows from the contents
@@ -106,11 +113,9 @@ public:
     states.resize(static_cast<std::size_t>(size));
     for (ruc::SearchState& state : states)
     {
-      auto phase =
-        std::find(std::begin(ruc::SearchPhases), std::end(ruc::SearchPhases), state.Phase) -
-        std::begin(ruc::SearchPhases);
+      auto phase = static_cast<int>(state.Phase);
       this->Pass(phase);
-      state.Phase = ruc::SearchPhases[phase];
+      state.Phase = static_cast<ruc::SearchPhase>(phase);
       this->Pass(state.Iteration);
       this->Pass(state.Objective);
       this->Pass(state.OverlapPercent);
@@ -235,7 +240,7 @@ private:
     const std::optional<typename Method::State> resume = std::move(search.State);
     search.State.reset();
     RankSignal signal(this->Ranks);
-    std::string reason;
+    ruc::EndReason reason = ruc::EndReason::None;
     Method::Run(
       this->Contents, this->Target, search.Settings, *search.Group,
       [&](const ruc::SearchState& state)
@@ -246,11 +251,11 @@ private:
         }
         // Some reasons are seen on the lowest rank alone
         reason = this->Callbacks.StopReason(search.Number, state);
-        if (reason.empty())
+        if (reason == ruc::EndReason::None)
         {
-          reason = signal.Heard();
+          reason = static_cast<ruc::EndReason>(signal.Heard());
         }
-        return reason.empty();
+        return reason == ruc::EndReason::None;
       },
       resume ? &*resume : nullptr,
       [&](const typename Method::State& state)
@@ -270,12 +275,16 @@ private:
       this->Write(search, key);
       search.State.reset();
     }
-    signal.Close([&]()
-      { return this->Callbacks.StopReason(search.Number, search.Found.Cell.Convergence.back()); });
-    const bool stopped = search.Found.Cell.EndedBy == "Stopped";
+    signal.Close(
+      [&]()
+      {
+        return static_cast<int>(
+          this->Callbacks.StopReason(search.Number, search.Found.Cell.Convergence.back()));
+      });
+    const bool stopped = search.Found.Cell.EndedBy == ruc::EndReason::Stopped;
     if (stopped)
     {
-      search.Found.Cell.EndedBy = search.Group->FirstText(reason);
+      search.Found.Cell.EndedBy = Agree(reason, *search.Group);
     }
     return stopped;
   }
@@ -298,9 +307,9 @@ private:
     {
       Search& search = this->Rounds[number / this->Ranks.Size()];
       Search* own = search.Number == number && search.Group->Rank() == 0 ? &search : nullptr;
-      const std::string endedBy =
-        this->Ranks.FirstText(own && own->Begun ? own->Found.Cell.EndedBy : "");
-      if (endedBy.empty()) // not begun
+      const ruc::EndReason endedBy =
+        Agree(own && own->Begun ? own->Found.Cell.EndedBy : ruc::EndReason::None, this->Ranks);
+      if (endedBy == ruc::EndReason::None) // not begun
       {
         continue;
       }

@@ -35,8 +35,8 @@ struct FoundCell
 /** What the search asks and tells on the first rank of every group. */
 struct Callbacks
 {
-  /** Why the search should end now; empty to carry on. `cell` counts from 0. */
-  std::function<std::string(int cell, const ruc::SearchState& state)> StopReason;
+  /** Why the search should end now; None to carry on. `cell` counts from 0. */
+  std::function<ruc::EndReason(int cell, const ruc::SearchState& state)> StopReason;
   /** That a checkpoint could not be written, once. */
   std::function<void(const std::string& text)> Warn;
 };

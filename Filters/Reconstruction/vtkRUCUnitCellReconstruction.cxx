@@ -102,7 +102,7 @@ void FillTableOfCells(const std::vector<CellSearch::FoundCell>& cells,
     number.push_back(found.Number + 1);
     seeds.push_back(static_cast<long long>(seed) + found.Number);
     iterations.push_back(found.Cell.Iterations);
-    endedBy.push_back(found.Cell.EndedBy);
+    endedBy.push_back(ruc::NameOf(found.Cell.EndedBy));
     const double values[] = { found.Before.Minimum, found.Before.Mean, found.Before.Maximum,
       found.After.Minimum, found.After.Mean, found.After.Maximum, found.Cell.Overlap.Percent,
       found.Cell.Objective, ruc::CompareProbabilities(target, found.Cell.Probability).Percent };
@@ -130,13 +130,6 @@ double TwoDigits(double value)
 {
   const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
   return std::round(value / digit) * digit;
-}
-
-// From outside
-bool WasStopped(const CellSearch::FoundCell& found)
-{
-  const std::string& by = found.Cell.EndedBy;
-  return by == "Time limit" || by == "Stop file" || by == "Abort" || by == "Stop button";
 }
 
 // The place of the least F2, of cells without overlap if there are any
@@ -420,26 +413,26 @@ ruc::Estimate vtkRUCUnitCellReconstruction::MakeEstimate()
   return estimate;
 }
 
-std::string vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport& report)
+ruc::EndReason vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport& report)
 {
   if (this->GetAbortExecute())
   {
-    return "Abort";
+    return ruc::EndReason::Abort;
   }
   if (vtkRUCStopRequest::IsPending())
   {
-    return "Stop button";
+    return ruc::EndReason::StopButton;
   }
   if (this->TimeLimit > 0.0 && report.Seconds() >= this->TimeLimit)
   {
-    return "Time limit";
+    return ruc::EndReason::TimeLimit;
   }
   std::error_code ignored;
   if (!this->StopFile.empty() && std::filesystem::is_regular_file(this->StopFile, ignored))
   {
-    return "Stop file";
+    return ruc::EndReason::StopFile;
   }
-  return {};
+  return ruc::EndReason::None;
 }
 
 void vtkRUCUnitCellReconstruction::Execute(
@@ -499,7 +492,7 @@ void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents
     {
       report.Update((cell + state.Iteration / most) / this->NumberOfCells,
         ruc::Text(this->NumberOfCells > 1 ? ruc::Text("cell ", cell + 1, ", ") : std::string(),
-          state.Phase, ", ", this->Method == GRADIENT ? "iteration " : "generation ",
+          ruc::NameOf(state.Phase), ", ", this->Method == GRADIENT ? "iteration " : "generation ",
           state.Iteration, std::setprecision(4), ", F2 = ", state.Objective, ", overlap ",
           std::setprecision(2), state.OverlapPercent, " %"));
     }
@@ -520,8 +513,8 @@ void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents
       vtkWarningMacro(<< this->GetLabel() << ": cell " << found.Number + 1 << " still has overlap, "
                       << overlap.Percent << " % of the spheres' volume in " << overlap.Pairs
                       << " pairs"
-                      << (WasStopped(found) ? "; it was stopped early."
-                                            : "; it is too dense to free."));
+                      << (ruc::IsFromOutside(found.Cell.EndedBy) ? "; it was stopped early."
+                                                                 : "; it is too dense to free."));
     }
   }
   if (ranks.Rank() == 0 && cells.size() < static_cast<std::size_t>(this->NumberOfCells))
@@ -591,8 +584,8 @@ void vtkRUCUnitCellReconstruction::AddCellFields(vtkDataObject* data,
   PackData::AddField(data, "OnePointDifference",
     std::vector<double>{ ruc::OnePointDifference(contents, target.Fractions, contents.Edge) });
   PackData::AddField(data, "Iterations", std::vector<long long>{ cell.Iterations });
-  PackData::AddField(data, "EndedBy", cell.EndedBy);
-  PackData::AddField(data, "Stopped", std::vector<long long>{ WasStopped(found) });
+  PackData::AddField(data, "EndedBy", std::string(ruc::NameOf(cell.EndedBy)));
+  PackData::AddField(data, "Stopped", std::vector<long long>{ ruc::IsFromOutside(cell.EndedBy) });
 }
 
 void vtkRUCUnitCellReconstruction::PrintSelf(ostream& os, vtkIndent indent)

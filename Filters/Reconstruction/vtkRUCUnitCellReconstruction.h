@@ -52,6 +52,7 @@
 #include "RUCReconstructionModule.h"
 #include "vtkRUCPackAlgorithm.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -69,6 +70,7 @@ struct CellFigures;
 struct LagGrid;
 struct ModeAmounts;
 struct TwoPointProbability;
+enum class EndReason : std::uint8_t;
 }
 
 class RUCRECONSTRUCTION_EXPORT vtkRUCUnitCellReconstruction : public vtkRUCPackAlgorithm
@@ -315,8 +317,8 @@ private:
   double FindEdge(
     const ruc::TwoPointProbability& probability, double diameter, RankCommunicator& ranks);
   CellSearch::Settings GetSearchSettings() const;
-  // Why the search should end now: empty, "Time limit", "Stop file", "Abort" or "Stop button"
-  std::string FindStopReason(const ProgressReport& report);
+  // Why the search should end now, for a reason from outside
+  ruc::EndReason FindStopReason(const ProgressReport& report);
   // Searches, and fills the outputs
   void Reconstruct(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
     const std::string& lengthUnit, vtkInformationVector* outputs, RankCommunicator& ranks,

@@ -45,7 +45,7 @@ public:
     , CarryOn(carryOn)
     , Save(save)
     , Objective(contents, target, communicator)
-    , Best{ {}, contents.MakeBox(), 0.0, 0.0, {}, 0, {}, target, {} }
+    , Best{ {}, contents.MakeBox(), 0.0, 0.0, {}, 0, EndReason::None, target, {} }
   {
     this->Objective.SetPenaltyWeight(DescentPenaltyWeight);
   }
@@ -54,7 +54,7 @@ public:
   {
     const std::vector<double> centres = RandomCentres(this->Contents, this->Settings.Seed, 0);
     this->Evaluate(centres.data(), nullptr);
-    this->Record(RemovingOverlap, this->Terms.TwoPoint, this->Overlap());
+    this->Record(SearchPhase::RemovingOverlap, this->Terms.TwoPoint, this->Overlap());
     this->Keep(centres);
     this->RecordBest();
     this->State.StartObjective = this->Best.Objective;
@@ -80,16 +80,16 @@ public:
   {
     // A search that is resumed may be at its end
     const bool resumed = this->State.Descent.Iterations > 0;
-    std::string endedBy = this->Stopped ? "Stopped" : "Maximum iterations";
+    EndReason endedBy = this->Stopped ? EndReason::Stopped : EndReason::MaximumIterations;
     bool descends = !this->Stopped && this->Settings.MaximumIterations > 0;
     if (this->MeetsTarget())
     {
-      endedBy = "Target objective";
+      endedBy = EndReason::TargetObjective;
       descends = resumed;
     }
     else if (this->State.Converged)
     {
-      endedBy = "Converged";
+      endedBy = EndReason::Converged;
     }
     else if (descends && this->State.Descent.Iterations < this->Settings.MaximumIterations)
     {
@@ -126,7 +126,7 @@ private:
 
   double Overlap() const { return OverlapPercent(this->Objective.GetProbability()); }
 
-  void Record(const char* phase, double objective, double overlapPercent)
+  void Record(SearchPhase phase, double objective, double overlapPercent)
   {
     const int iteration = static_cast<int>(this->State.Convergence.size());
     this->State.Convergence.push_back({ phase, iteration, objective, overlapPercent });
@@ -140,15 +140,15 @@ private:
 
   void RecordBest()
   {
-    this->Record(RemovingOverlap, this->Best.Objective, this->Best.Overlap.Percent);
+    this->Record(SearchPhase::RemovingOverlap, this->Best.Objective, this->Best.Overlap.Percent);
   }
 
   // Frees a copy of the centres from overlap and keeps it if it is the best so far. A cell with
   // overlap is kept only while there is none without.
   void Keep(const std::vector<double>& centres)
   {
-    const SearchState state = { RemovingOverlap, static_cast<int>(this->State.Convergence.size()),
-      this->Terms.TwoPoint, this->Overlap() };
+    const SearchState state = { SearchPhase::RemovingOverlap,
+      static_cast<int>(this->State.Convergence.size()), this->Terms.TwoPoint, this->Overlap() };
     UnitCell cell = FinishUnitCell(this->Contents.MakePack(centres.data()), this->Best.Box,
       this->Target, this->Settings.Seed, this->Ranks,
       [&]()
@@ -171,9 +171,9 @@ private:
     }
   }
 
-  std::string Descend()
+  EndReason Descend()
   {
-    std::string endedBy = "Converged";
+    EndReason endedBy = EndReason::Converged;
     DescentSettings settings;
     settings.FirstStep = FirstStepOf(this->Contents);
     const DescentEnd end = ruc::Descend(
@@ -191,20 +191,20 @@ private:
         {
           this->Save(this->State);
         }
-        return endedBy.empty();
+        return endedBy == EndReason::None;
       });
     if (end == DescentEnd::NowhereTo)
     {
-      return "Converged";
+      return EndReason::Converged;
     }
-    return end == DescentEnd::GivenUp ? "Stopped" : endedBy;
+    return end == DescentEnd::GivenUp ? EndReason::Stopped : endedBy;
   }
 
-  // What ends the search, or an empty text
-  std::string AfterIteration(const DescentState& descent)
+  // What ends the search, or None
+  EndReason AfterIteration(const DescentState& descent)
   {
     const double objective = this->Terms.TwoPoint;
-    this->Record(MinimisingObjective, objective, this->Overlap());
+    this->Record(SearchPhase::MinimisingObjective, objective, this->Overlap());
     const bool due = descent.Iterations % IterationsBetweenKept == 0;
     const bool promising =
       objective <= this->Settings.TargetObjective && objective < 0.99 * this->State.Tried;
@@ -214,7 +214,7 @@ private:
       this->Keep(descent.Place);
       if (this->MeetsTarget())
       {
-        return "Target objective";
+        return EndReason::TargetObjective;
       }
     }
     if (due)
@@ -223,10 +223,11 @@ private:
       this->State.Kept = objective;
       if (this->State.Converged)
       {
-        return "Converged";
+        return EndReason::Converged;
       }
     }
-    return descent.Iterations >= this->Settings.MaximumIterations ? "Maximum iterations" : "";
+    return descent.Iterations >= this->Settings.MaximumIterations ? EndReason::MaximumIterations
+                                                                  : EndReason::None;
   }
 
   const CellContents& Contents;

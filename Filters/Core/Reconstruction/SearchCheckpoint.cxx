@@ -4,7 +4,6 @@
 
 #include "ruc/Base/Text.h"
 
-#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <type_traits>
@@ -100,9 +99,7 @@ public:
   }
   void Put(const SearchState& state)
   {
-    const auto phase = std::find_if(std::begin(SearchPhases), std::end(SearchPhases),
-      [&](const char* name) { return std::strcmp(name, state.Phase) == 0; });
-    this->Put(static_cast<std::uint8_t>(phase - std::begin(SearchPhases)));
+    this->Put(static_cast<std::uint8_t>(state.Phase));
     this->Put(state.Iteration);
     this->Put(state.Objective);
     this->Put(state.OverlapPercent);
@@ -149,8 +146,8 @@ public:
   {
     std::uint8_t phase = 0;
     this->Get(phase);
-    this->Require(phase < std::size(SearchPhases));
-    state.Phase = SearchPhases[phase];
+    this->Require(phase < static_cast<std::uint8_t>(SearchPhase::Number));
+    state.Phase = static_cast<SearchPhase>(phase);
     this->Get(state.Iteration);
     this->Get(state.Objective);
     this->Get(state.OverlapPercent);

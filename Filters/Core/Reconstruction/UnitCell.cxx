@@ -20,6 +20,7 @@ UnitCell FinishUnitCell(SpherePack pack, const Window& box, const TwoPointProbab
   TwoPointProbability probability = sum.Result(sums);
   const double objective = TwoPointDifference(target, probability);
   const PackOverlap overlap = MeasureOverlap(pack, box);
-  return { std::move(pack), box, objective, 0.0, overlap, 0, {}, std::move(probability), {} };
+  return { std::move(pack), box, objective, 0.0, overlap, 0, EndReason::None,
+    std::move(probability), {} };
 }
 }

@@ -4,30 +4,15 @@
 
 #include "ruc/Base/Communicator.h"
 #include "ruc/Particles/PackOverlap.h"
+#include "ruc/Reconstruction/SearchState.h"
 #include "ruc/Statistics/Results/TwoPointProbability.h"
 
 #include <cstdint>
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace ruc
 {
-/** Where a search stands; what its caller is told every iteration. */
-struct SearchState
-{
-  const char* Phase; // one of SearchPhases
-  int Iteration;     // or generation
-  double Objective;  // F2
-  double OverlapPercent;
-};
-
-constexpr const char* RemovingOverlap = "removing overlap";
-constexpr const char* MinimisingObjective = "minimising F2";
-constexpr const char* AnnealingPopulation = "annealing population";
-constexpr const char* SearchPhases[] = { RemovingOverlap, MinimisingObjective,
-  AnnealingPopulation };
-
 /** What a search returns. */
 struct UnitCell
 {
@@ -38,10 +23,8 @@ struct UnitCell
    * the first. */
   double StartObjective = 0.0;
   PackOverlap Overlap;
-  int Iterations = 0; // or generations
-  /** "Target objective", "Maximum iterations", "Converged", or "Stopped" when the caller ended the
-   * search. */
-  std::string EndedBy;
+  int Iterations = 0;                  // or generations
+  EndReason EndedBy = EndReason::None; // Stopped when the caller ended the search
   TwoPointProbability Probability;
   /** Of every iteration; the last is the cell returned. Of a gradient search 0 is the random start
    * and 1 has its overlap removed; of a population 0 is the best of the first. */

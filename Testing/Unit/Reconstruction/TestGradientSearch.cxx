@@ -142,7 +142,7 @@ TEST(GradientSearch, NoIterationsGiveTheStart)
 {
   const UnitCell cell = Search(Settings(0), CarryOn);
   ExpectConsistent(cell);
-  EXPECT_EQ(cell.EndedBy, "Maximum iterations");
+  EXPECT_EQ(cell.EndedBy, ruc::EndReason::MaximumIterations);
   EXPECT_EQ(cell.Convergence.size(), 2u);
   EXPECT_EQ(cell.Objective, cell.StartObjective);
   EXPECT_TRUE(cell.Overlap.IsNone());
@@ -158,7 +158,7 @@ TEST(GradientSearch, EndsAtTheMaximumOfIterations)
       return true;
     });
   ExpectConsistent(cell);
-  EXPECT_EQ(cell.EndedBy, "Maximum iterations");
+  EXPECT_EQ(cell.EndedBy, ruc::EndReason::MaximumIterations);
   EXPECT_EQ(
     cell.Convergence.size(), 2u + 7u + 1u); // start, without overlap, 7 iterations, the cell
   EXPECT_EQ(last, cell.Iterations);
@@ -172,7 +172,7 @@ TEST(GradientSearch, StopsWhenItIsTold)
       Search(Settings(200), [&](const SearchState& state) { return state.Iteration < stopAt; });
     SCOPED_TRACE(stopAt);
     ExpectConsistent(cell);
-    EXPECT_EQ(cell.EndedBy, "Stopped");
+    EXPECT_EQ(cell.EndedBy, ruc::EndReason::Stopped);
     EXPECT_LE(cell.Iterations, stopAt + 3);
     if (stopAt >= 2) // the overlap of the start was removed by then
     {
@@ -186,12 +186,12 @@ TEST(GradientSearch, EndsAtTheTargetObjective)
   const double start = Search(Settings(0), CarryOn).StartObjective;
   const UnitCell cell = Search(Settings(500, 1, 0.4 * start), CarryOn);
   ExpectConsistent(cell);
-  EXPECT_EQ(cell.EndedBy, "Target objective");
+  EXPECT_EQ(cell.EndedBy, ruc::EndReason::TargetObjective);
   EXPECT_LE(cell.Objective, 0.4 * start);
   EXPECT_TRUE(cell.Overlap.IsNone());
   EXPECT_LT(cell.Iterations, 500);
   const UnitCell atOnce = Search(Settings(500, 1, 2.0 * start), CarryOn);
-  EXPECT_EQ(atOnce.EndedBy, "Target objective");
+  EXPECT_EQ(atOnce.EndedBy, ruc::EndReason::TargetObjective);
   EXPECT_EQ(atOnce.Objective, start);
 }
 
@@ -201,5 +201,5 @@ TEST(GradientSearch, AnOverlappingCellDoesNotMeetTheTarget)
   // was asked for.
   const UnitCell cell = Search(Settings(10, 1, 1e9), [](const SearchState&) { return false; });
   EXPECT_FALSE(cell.Overlap.IsNone());
-  EXPECT_EQ(cell.EndedBy, "Stopped");
+  EXPECT_EQ(cell.EndedBy, ruc::EndReason::Stopped);
 }

@@ -61,7 +61,7 @@ void ExpectEqual(const UnitCell& a, const UnitCell& b)
   ASSERT_EQ(a.Convergence.size(), b.Convergence.size());
   for (std::size_t n = 0; n < a.Convergence.size(); ++n)
   {
-    EXPECT_STREQ(a.Convergence[n].Phase, b.Convergence[n].Phase);
+    EXPECT_EQ(a.Convergence[n].Phase, b.Convergence[n].Phase);
     EXPECT_EQ(a.Convergence[n].Iteration, b.Convergence[n].Iteration);
     EXPECT_EQ(a.Convergence[n].Objective, b.Convergence[n].Objective);
     EXPECT_EQ(a.Convergence[n].OverlapPercent, b.Convergence[n].OverlapPercent);
@@ -79,8 +79,8 @@ PopulationState SmallState()
   state.First = { 1.0, 2.0, 3.0 };
   state.Temperature = 0.125;
   state.Stagnation = 2;
-  state.Convergence = { { ruc::AnnealingPopulation, 0, 0.75, 0.5 },
-    { ruc::RemovingOverlap, 1, 0.5, 0.0 } };
+  state.Convergence = { { ruc::SearchPhase::AnnealingPopulation, 0, 0.75, 0.5 },
+    { ruc::SearchPhase::RemovingOverlap, 1, 0.5, 0.0 } };
   state.Descending = 1;
   state.Descent = { { 1.0, 2.0 }, { 3.0, 4.0 }, 5.0, 6, { { 7.0, 8.0 } }, { { 9.0, 10.0 } } };
   return state;
@@ -110,8 +110,8 @@ TEST(SearchCheckpoint, KeepsEveryNumber)
   EXPECT_EQ(read.Temperature, state.Temperature);
   EXPECT_EQ(read.Stagnation, state.Stagnation);
   ASSERT_EQ(read.Convergence.size(), 2u);
-  EXPECT_STREQ(read.Convergence[1].Phase, ruc::RemovingOverlap);
-  EXPECT_STREQ(read.Convergence[0].Phase, ruc::AnnealingPopulation);
+  EXPECT_EQ(read.Convergence[1].Phase, ruc::SearchPhase::RemovingOverlap);
+  EXPECT_EQ(read.Convergence[0].Phase, ruc::SearchPhase::AnnealingPopulation);
   EXPECT_EQ(read.Convergence[0].Objective, 0.75);
   EXPECT_EQ(read.Convergence[0].OverlapPercent, 0.5);
   EXPECT_EQ(read.Convergence[1].Iteration, 1);
@@ -298,7 +298,7 @@ TEST(SearchCheckpoint, AStoppedGradientSearchLosesNothing)
     const UnitCell stopped = Search(
       Gradient(130), serial, nullptr, [&](const GradientState& state) { last = state; },
       [&](const SearchState& state) { return state.Iteration < stopAt; });
-    EXPECT_EQ(stopped.EndedBy, "Stopped");
+    EXPECT_EQ(stopped.EndedBy, ruc::EndReason::Stopped);
     ExpectEqual(whole, Search(Gradient(130), serial, &last));
   }
 }

@@ -110,12 +110,12 @@ public:
 
   PopulationResult Run()
   {
-    std::string endedBy;
-    while ((endedBy = this->FindEnd()).empty())
+    EndReason endedBy;
+    while ((endedBy = this->FindEnd()) == EndReason::None)
     {
       if (!this->AdvanceGeneration())
       {
-        endedBy = "Stopped";
+        endedBy = EndReason::Stopped;
         break;
       }
     }
@@ -413,7 +413,7 @@ private:
   void FinishGeneration()
   {
     const int best = this->BestMember();
-    this->State.Convergence.push_back({ AnnealingPopulation, this->State.Generation,
+    this->State.Convergence.push_back({ SearchPhase::AnnealingPopulation, this->State.Generation,
       this->State.Objective[best], this->State.OverlapPercent[best] });
     this->Ask(this->State.Convergence.back());
     this->Ranks.Sum(&this->Wish, 1);
@@ -425,25 +425,26 @@ private:
     }
   }
 
-  // What ends the search, or an empty text
-  std::string FindEnd()
+  // What ends the search, or None
+  EndReason FindEnd()
   {
     const int best = this->BestMember();
     if (this->State.OverlapPercent[best] == 0.0 &&
       this->State.Objective[best] <= this->Settings.TargetObjective &&
       this->FreeBest().Objective <= this->Settings.TargetObjective)
     {
-      return "Target objective";
+      return EndReason::TargetObjective;
     }
     if (this->Stopped)
     {
-      return "Stopped";
+      return EndReason::Stopped;
     }
     if (this->State.Generation >= this->Settings.MaximumGenerations)
     {
-      return "Maximum iterations";
+      return EndReason::MaximumIterations;
     }
-    return this->State.Stagnation >= this->Settings.PatienceGenerations ? "Converged" : "";
+    return this->State.Stagnation >= this->Settings.PatienceGenerations ? EndReason::Converged
+                                                                        : EndReason::None;
   }
 
   UnitCell FreeBest()
@@ -453,14 +454,14 @@ private:
       this->Settings.Seed, this->Ranks, []() { return true; });
   }
 
-  UnitCell Finish(const std::string& endedBy)
+  UnitCell Finish(EndReason endedBy)
   {
     UnitCell cell = this->FreeBest();
     cell.StartObjective = this->State.First.Mean;
     cell.Convergence = this->State.Convergence;
     cell.Iterations = static_cast<int>(cell.Convergence.size());
     cell.Convergence.push_back(
-      { RemovingOverlap, cell.Iterations, cell.Objective, cell.Overlap.Percent });
+      { SearchPhase::RemovingOverlap, cell.Iterations, cell.Objective, cell.Overlap.Percent });
     cell.EndedBy = endedBy;
     return cell;
   }

@@ -278,7 +278,7 @@ TEST(PopulationSearch, ImprovesThePopulation)
   {
     const PopulationResult result = Search(Annealed(60, seed));
     ExpectConsistent(result);
-    EXPECT_EQ(result.Best.EndedBy, "Maximum iterations");
+    EXPECT_EQ(result.Best.EndedBy, ruc::EndReason::MaximumIterations);
     // The mass-spring mutation takes the overlap, most of F2, off every member it meets
     EXPECT_LT(result.After.Mean, 0.5 * result.Before.Mean);
     EXPECT_LT(result.After.Minimum, result.Before.Minimum);
@@ -313,7 +313,7 @@ TEST(PopulationSearch, EndsWithoutImprovement)
   PopulationState last;
   const PopulationResult result =
     Search(settings, CarryOn, nullptr, [&](const PopulationState& s) { last = s; });
-  EXPECT_EQ(result.Best.EndedBy, "Converged");
+  EXPECT_EQ(result.Best.EndedBy, ruc::EndReason::Converged);
   EXPECT_EQ(last.Stagnation, 3);
 }
 
@@ -324,7 +324,7 @@ TEST(PopulationSearch, EndsAtTheTargetObjective)
   settings.TargetObjective = 1.1 * reached;
   const PopulationResult result = Search(settings);
   ExpectConsistent(result);
-  EXPECT_EQ(result.Best.EndedBy, "Target objective");
+  EXPECT_EQ(result.Best.EndedBy, ruc::EndReason::TargetObjective);
   EXPECT_LE(result.Best.Objective, settings.TargetObjective);
   EXPECT_LE(result.Best.Iterations, 31);
 }
@@ -338,7 +338,7 @@ TEST(PopulationSearch, StopsWhenItIsTold)
       const PopulationResult result =
         Search(settings, [&](const SearchState& state) { return state.Iteration < stopAt; });
       ExpectConsistent(result);
-      EXPECT_EQ(result.Best.EndedBy, "Stopped");
+      EXPECT_EQ(result.Best.EndedBy, ruc::EndReason::Stopped);
       EXPECT_EQ(result.Best.Iterations, stopAt + 1); // and the cell
     }
   }
@@ -378,7 +378,7 @@ TEST(PopulationSearch, AWishToStopOfOneRankReachesAll)
       const PopulationResult result = ruc::SearchByPopulation(TheSearchProblem().Contents,
         TheSearchProblem().Target, Annealed(100), communicator,
         [&](const SearchState& state) { return communicator.Rank() != 1 || state.Iteration < 3; });
-      EXPECT_EQ(result.Best.EndedBy, "Stopped");
+      EXPECT_EQ(result.Best.EndedBy, ruc::EndReason::Stopped);
       EXPECT_EQ(result.Best.Iterations, 4);
     });
 }

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Reconstruction/SearchState.h"
+
+#include <iterator>
+
+namespace ruc
+{
+namespace
+{
+// In the order of the enumerations
+constexpr const char* PhaseNames[] = { "removing overlap", "minimising F2",
+  "annealing population" };
+constexpr const char* ReasonNames[] = { "", "Target objective", "Maximum iterations", "Converged",
+  "Stopped", "Time limit", "Stop file", "Abort", "Stop button" };
+
+static_assert(std::size(PhaseNames) == static_cast<std::size_t>(SearchPhase::Number));
+static_assert(std::size(ReasonNames) == static_cast<std::size_t>(EndReason::Number));
+}
+
+const char* NameOf(SearchPhase phase)
+{
+  return PhaseNames[static_cast<int>(phase)];
+}
+
+const char* NameOf(EndReason reason)
+{
+  return ReasonNames[static_cast<int>(reason)];
+}
+}
