@@ -4,15 +4,58 @@
 
 #include "RankCommunicator.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkDataObjectTypes.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+
+namespace
+{
+// Collective: the columns of rank 0's table, without its rows, on the other ranks. Views of
+// ParaView look a column up on every rank, and some of them end the server where there is none.
+void ShareColumns(vtkTable* table, const RankCommunicator& ranks)
+{
+  vtkMultiProcessStream stream;
+  vtkDataSetAttributes* row = table->GetRowData();
+  if (ranks.Rank() == 0)
+  {
+    for (int n = 0; n < row->GetNumberOfArrays(); ++n)
+    {
+      vtkAbstractArray* column = row->GetAbstractArray(n);
+      stream << std::string(column->GetName()) << column->GetDataType()
+             << column->GetNumberOfComponents();
+    }
+  }
+  ranks.GetController()->Broadcast(stream, 0);
+  if (ranks.Rank() == 0)
+  {
+    return;
+  }
+  while (!stream.Empty())
+  {
+    std::string name;
+    int type = 0, components = 0;
+    stream >> name >> type >> components;
+    if (!row->HasArray(name.c_str()))
+    {
+      auto column = vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(type));
+      column->SetName(name.c_str());
+      column->SetNumberOfComponents(components);
+      row->AddArray(column);
+    }
+  }
+}
+}
 
 vtkCxxSetObjectMacro(vtkRUCParallelAlgorithm, Controller, vtkMultiProcessController);
 
@@ -104,6 +147,13 @@ int vtkRUCParallelAlgorithm::RequestData(
   try
   {
     this->Execute(inputs, outputs, ranks);
+    for (int port = 0; ranks.Size() > 1 && port < this->GetNumberOfOutputPorts(); ++port)
+    {
+      if (vtkTable* table = vtkTable::GetData(outputs, port))
+      {
+        ShareColumns(table, ranks);
+      }
+    }
   }
   catch (const std::exception& e)
   {

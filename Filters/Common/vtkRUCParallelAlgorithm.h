@@ -39,7 +39,8 @@ protected:
 
   /**
    * Fills the outputs, on all ranks together. Throws std::invalid_argument, the same on every rank,
-   * for bad input. The outputs are empty at the start and are emptied again after an error.
+   * for bad input. The outputs are empty at the start and are emptied again after an error. A table
+   * is filled on rank 0 alone; the other ranks then get its columns, without rows.
    */
   virtual void Execute(
     vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks) = 0;

@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every table of every filter in every view that offers itself for it.
+
+    pvpython TestTables.py pack.csv port ranks      by a server, which must live to the end
+"""
+import sys
+
+import paraview.simple as pv
+from paraview import servermanager
+from paraview.servermanager import Fetch, OutputPort
+
+pack, port, ranks = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+pv.Connect("127.0.0.1", port)
+assert servermanager.ActiveConnection.GetNumberOfDataPartitions() == ranks
+manager = servermanager.ProxyManager()
+
+
+def names_of(group):
+    """The kinds of proxies in a group."""
+    definitions = manager.GetProxyDefinitionManager().NewSingleGroupIterator(group)
+    names = []
+    definitions.InitTraversal()
+    while not definitions.IsDoneWithTraversal():
+        names.append(definitions.GetProxyName())
+        definitions.GoToNextItem()
+    return names
+
+
+reader = pv.SpherePackReader(FileName=pack, BoxSize=[10, 10, 10], BoxPeriodic=[1, 1, 1])
+modes = pv.ParticleModes(Input=reader, Method="One Per Size")
+two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=8, NumberOfDirections=2, ChordLengths=1, NumberOfLines=50,
+                                   RadialDistribution=1, Autocovariance=1)
+cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags=8, MaximumIterations=5)
+of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=8)
+sources = [modes, two_point, cell,
+           pv.OnePointProbability(Input=modes),
+           pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5, NumberOfLags=8, NumberOfThrows=100),
+           pv.CompareProbabilities(Input=two_point, Cell=of_cell)]
+tables = []
+for source in sources:
+    source.UpdatePipeline()
+    tables += [(source, n) for n in range(source.SMProxy.GetNumberOfOutputPorts())
+               if source.GetDataInformation(n).GetDataSetTypeAsString() == "vtkTable"]
+
+# Comparative views are grids of the others, and a Python view shows what its script says
+views = [name for name in names_of("views") if not name.startswith(("Comparative", "Python")) and
+         manager.GetPrototypeProxy("views", name).IsA("vtkSMViewProxy")]
+shown = {}
+for name in views:
+    print("view", name, flush=True)
+    view = pv.CreateView(name, ViewSize=[200, 150])
+    for source, n in tables:
+        # ParaView cannot draw a line of one row
+        if view.SMProxy.CanDisplayData(source.SMProxy, n) and source.GetDataInformation(n).GetNumberOfRows() != 1:
+            print(name, source.SMProxy.GetXMLName(), n, flush=True)
+            display = pv.Show(OutputPort(source, n), view)
+            pv.Render(view)
+            pv.Hide(OutputPort(source, n), view)
+            shown[name] = shown.get(name, 0) + 1
+    pv.Delete(view)
+for name in ("XYHistogramChartView", "XYBarChartView", "BoxChartView", "SpreadSheetView", "ParallelCoordinatesChartView", "PlotMatrixView",
+             "QuartileChartView", "XYChartView", "XYPointChartView"):
+    assert shown.get(name, 0) > 10, f"{name} showed {shown.get(name, 0)} tables"
+assert two_point.GetDataInformation(0).GetNumberOfRows() == 21  # the server is there
