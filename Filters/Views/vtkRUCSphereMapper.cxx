@@ -92,6 +92,10 @@ void vtkRUCSphereMapper::AddSpheres(vtkDataObject* data, vtkBoundingBox& box)
   }
   vtkDataArray* radii =
     this->ScaleArray ? points->GetPointData()->GetArray(this->ScaleArray) : nullptr;
+  if (radii && radii->GetNumberOfTuples() < points->GetNumberOfPoints())
+  {
+    radii = nullptr; // damaged data
+  }
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     const double radius = this->ScaleFactor * (radii ? radii->GetComponent(i, 0) : 1.0);

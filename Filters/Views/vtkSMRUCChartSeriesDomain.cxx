@@ -8,7 +8,7 @@
 #include <vtkPVXMLElement.h>
 #include <vtkSMProperty.h>
 
-#include <regex>
+#include <vtksys/RegularExpression.hxx>
 
 vtkStandardNewMacro(vtkSMRUCChartSeriesDomain);
 
@@ -54,5 +54,6 @@ bool vtkSMRUCChartSeriesDomain::Matches(const std::string& hint, const char* ser
 {
   vtkPVXMLElement* element = OutputHint::Find(this->GetProperty()->GetParent());
   const char* pattern = element ? element->GetAttribute(hint.c_str()) : nullptr;
-  return pattern && std::regex_search(series, std::regex(pattern));
+  vtksys::RegularExpression expression; // which throws nothing, unlike std::regex
+  return pattern && series && expression.compile(pattern) && expression.find(series);
 }

@@ -24,8 +24,9 @@ void vtkSMRUCRenderViewInitializationHelper::PostInitializeProxy(
   {
     return;
   }
-  vtkSMPropertyHelper input(filter, "Input");
-  auto source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  const vtkSMPropertyHelper input(filter, "Input", true);
+  auto* source =
+    input.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
   vtkSMRenderViewProxy* found = nullptr;
   vtkNew<vtkSMProxyIterator> views;
   views->SetSessionProxyManager(proxies);

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMRUCSpheresRepresentationProxy.h"
 
+#include "OutputHint.h"
+
 #include <vtkClientServerStream.h>
 #include <vtkDataObject.h>
 #include <vtkObjectFactory.h>
 #include <vtkPVArrayInformation.h>
 #include <vtkPVDataInformation.h>
+#include <vtkPVXMLElement.h>
 #include <vtkSMPVRepresentationProxy.h>
 #include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
@@ -25,9 +28,8 @@ namespace
 {
 vtkPVDataInformation* DataShown(vtkSMProxy* representation)
 {
-  vtkSMPropertyHelper input(representation, "Input");
-  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  return source ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
+  const OutputHint::Output output = OutputHint::OutputOf(representation);
+  return output.Source ? output.Source->GetDataInformation(output.Port) : nullptr;
 }
 
 // The largest mode of the data; 0 where they have no modes
@@ -84,6 +86,10 @@ void SetLabels(vtkSMProxy* map, int modes)
 {
   vtkSMTransferFunctionProxy::ApplyPreset(map, "Turbo", false);
   const std::vector<double> points = vtkSMPropertyHelper(map, "RGBPoints").GetDoubleArray();
+  if (points.size() < 8) // two points of a value and three channels
+  {
+    return;
+  }
   vtkSMPropertyHelper annotations(map, "Annotations");
   vtkSMPropertyHelper colours(map, "IndexedColors");
   annotations.SetNumberOfElements(2 * modes);
@@ -139,18 +145,16 @@ void vtkSMRUCSpheresRepresentationProxy::ColourLateData()
 
 void vtkSMRUCSpheresRepresentationProxy::HideWholeSpheres(vtkSMProxy* view)
 {
-  constexpr int spheresPort = 0;
-  constexpr int surfacesPort = 2;
-  vtkSMPropertyHelper input(this, "Input");
-  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  vtkPVXMLElement* hint = OutputHint::Find(this);
+  vtkSMSourceProxy* source = OutputHint::OutputOf(this).Source;
+  auto* shownIn = vtkSMViewProxy::SafeDownCast(view);
   bool cutShown = false;
-  if (source && std::strcmp(source->GetXMLName(), "PeriodicReplicas") == 0 &&
-    input.GetOutputPort() == spheresPort)
+  int port = -1;
+  if (hint && shownIn && hint->GetScalarAttribute("replaced_by", &port))
   {
-    vtkSMProxy* surfaces =
-      vtkSMViewProxy::SafeDownCast(view)->FindRepresentation(source, surfacesPort);
+    vtkSMProxy* surfaces = shownIn->FindRepresentation(source, port);
     cutShown = surfaces && vtkSMPropertyHelper(surfaces, "Visibility").GetAsInt() &&
-      source->GetDataInformation(surfacesPort)->GetNumberOfPoints() > 0;
+      source->GetDataInformation(port)->GetNumberOfPoints() > 0;
   }
   if (cutShown != this->CutShown)
   {

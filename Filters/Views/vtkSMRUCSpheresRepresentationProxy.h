@@ -13,10 +13,15 @@
  * is that of the sizes, with the modes' numbers as labels: where ParaView has just made the map,
  * and for modes that come later. A map that somebody has changed stays as it is.
  *
- * ParaView colours new data by their active array but not those that were empty when first shown,
- * such as the surfaces of Periodic Replicas before Clip To Box; they are coloured by mode when they
- * come. Where these surfaces are visible, the view does not draw the filter's whole spheres, of
- * which they would be the inside.
+ * ParaView colours new data by their active array, but not data that were empty when first shown,
+ * such as surfaces that a filter makes on demand. These are coloured by mode when they come.
+ *
+ * A filter may have an output of spheres and another of surfaces that stand for the same spheres,
+ * cut at a box. It says so in its hints, with the ports of the spheres and of the surfaces:
+ *
+ *     <Representation view="RenderView" type="RUCSpheresRepresentation" port="0" replaced_by="2"/>
+ *
+ * A view that shows the surfaces then does not draw the whole spheres, which would cover the cut.
  */
 class RUCVIEWS_EXPORT vtkSMRUCSpheresRepresentationProxy : public vtkSMRepresentationProxy
 {
