@@ -6,7 +6,9 @@
 
 #include "vtkAlgorithm.h"
 
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 
 namespace
 {
@@ -30,20 +32,36 @@ double ProgressReport::Seconds() const
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
 }
 
-bool ProgressReport::Update(double fraction, const std::string& text)
+void ProgressReport::Tell(double fraction, const std::string& activity)
 {
+  this->Tell(fraction, { this->Name, activity, false, {}, 0.0 });
+}
+
+void ProgressReport::Tell(double fraction, RunProgress progress)
+{
+  progress.Filter = this->Name;
   const auto now = std::chrono::steady_clock::now();
   if (now - this->LastUpdate >= UpdateInterval)
   {
     this->LastUpdate = now;
-    this->Filter->SetProgressText((this->Name + ": " + text).c_str());
+    this->Filter->SetProgressText(progress.ToText().c_str());
     this->Filter->UpdateProgress(fraction);
   }
   if (now - this->LastLine >= LineInterval)
   {
     this->LastLine = now;
-    std::cout << this->Name << ": " << static_cast<int>(this->Seconds()) << " s, " << text
-              << std::endl;
+    std::ostringstream line;
+    line << this->Name << ": " << static_cast<int>(this->Seconds()) << " s, " << progress.Activity;
+    if (!progress.Quantity.empty())
+    {
+      line << ", " << progress.Quantity << " = " << std::setprecision(4) << progress.Value;
+    }
+    std::cout << line.str() << std::endl;
   }
+}
+
+bool ProgressReport::Update(double fraction, const std::string& activity)
+{
+  this->Tell(fraction, { this->Name, activity, true, {}, 0.0 });
   return !this->Filter->GetAbortExecute() && !vtkRUCStopRequest::IsPending();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "RunProgress.h"
 #include "RUCCommonModule.h"
 
 #include <chrono>
@@ -10,9 +11,10 @@
 class vtkAlgorithm;
 
 /**
- * Tells a user how far a filter is: the text and the bar of the GUI about ten times a second, and a
- * line on the standard output every few seconds, which is what a batch run shows. To be updated on
- * rank 0 alone, from its main thread.
+ * Tells a user how far a filter is: the text and the bar of the window about ten times a second,
+ * and a line on the standard output every few seconds, which is what a batch run shows. To be
+ * updated on rank 0 alone, from its main thread. A `fraction` is the share of the work that is
+ * done, in [0, 1]; an `activity` says what is going on.
  */
 class RUCCOMMON_EXPORT ProgressReport
 {
@@ -20,11 +22,17 @@ public:
   /** Forgets wishes that an earlier run should stop; on any rank. */
   ProgressReport(vtkAlgorithm* filter, const std::string& name);
 
+  /** Tells of work that has nothing to show before its end, and so cannot be stopped. */
+  void Tell(double fraction, const std::string& activity);
+
+  /** Tells of anything; the report knows the name of the filter. */
+  void Tell(double fraction, RunProgress progress);
+
   /**
-   * `fraction` in [0, 1] of the work is done; `text` says what is going on. Returns whether to
-   * carry on: false once there is a vtkRUCStopRequest or somebody has called SetAbortExecute.
+   * Tells of work that can be stopped. Returns whether to carry on: false once there is a
+   * vtkRUCStopRequest or somebody has called SetAbortExecute.
    */
-  bool Update(double fraction, const std::string& text);
+  [[nodiscard]] bool Update(double fraction, const std::string& activity);
 
   double Seconds() const;
 

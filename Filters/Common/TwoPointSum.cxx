@@ -15,7 +15,7 @@ ruc::TwoPointProbability TwoPointSum::Compute(const ruc::PackShare& pack, const 
     {
       if (ranks.Rank() == 0)
       {
-        report.Update(done, "summing pairs");
+        report.Tell(done, "summing pairs");
       }
     });
   ranks.Sum(sums.data(), sums.size());

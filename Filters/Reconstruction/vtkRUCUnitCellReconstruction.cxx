@@ -490,11 +490,15 @@ void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents
   {
     if (ranks.Rank() == 0)
     {
-      report.Update((cell + state.Iteration / most) / this->NumberOfCells,
+      RunProgress progress;
+      progress.Activity =
         ruc::Text(this->NumberOfCells > 1 ? ruc::Text("cell ", cell + 1, ", ") : std::string(),
           ruc::NameOf(state.Phase), ", ", this->Method == GRADIENT ? "iteration " : "generation ",
-          state.Iteration, std::setprecision(4), ", F2 = ", state.Objective, ", overlap ",
-          std::setprecision(2), state.OverlapPercent, " %"));
+          state.Iteration, ", overlap ", std::setprecision(2), state.OverlapPercent, " %");
+      progress.Stoppable = true;
+      progress.Quantity = "F2";
+      progress.Value = state.Objective;
+      report.Tell((cell + state.Iteration / most) / this->NumberOfCells, progress);
     }
     return this->FindStopReason(report);
   };

@@ -95,14 +95,20 @@ ruc::DirectionalProbability vtkRUCDirectionalProbability::Measure(const ruc::Pac
   const ruc::SamplingRegion* region, const ruc::LagGrid& lags, RankCommunicator& ranks,
   ProgressReport& report, OutputSummary::Samples& samples) const
 {
-  const auto progress = [&](double done, const std::string& text)
-  { return ranks.Rank() != 0 || report.Update(done, text); };
   const std::vector<ruc::Vector3> directions = ruc::EvenDirections(this->NumberOfDirections);
   if (!region)
   {
-    return ruc::SumPairsAlong(
-      share, directions, lags, ranks, [&](double done) { progress(done, "summing pairs"); });
+    return ruc::SumPairsAlong(share, directions, lags, ranks,
+      [&](double done)
+      {
+        if (ranks.Rank() == 0)
+        {
+          report.Tell(done, "summing pairs");
+        }
+      });
   }
+  const auto progress = [&](double done, const std::string& text)
+  { return ranks.Rank() != 0 || report.Update(done, text); };
   ruc::DirectionalProbability directional;
   directional.Directions = directions;
   for (ruc::SampledTwoPoint& along : ruc::SampleChordsAlong(directions, share.Own,

@@ -101,7 +101,7 @@ void vtkRUCProbabilityMap::Execute(
     {
       if (ranks.Rank() == 0)
       {
-        report.Update(done, "summing pairs");
+        report.Tell(done, "summing pairs");
       }
     });
 

@@ -38,7 +38,7 @@ void vtkRUCRadialDistribution::Execute(
       {
         if (ranks.Rank() == 0)
         {
-          report.Update(done, "summing pairs");
+          report.Tell(done, "summing pairs");
         }
       });
 

@@ -6,15 +6,16 @@
 //
 //     RepresentativeUnitCellRun [x y]      centred at this place of the screen
 //
-// It reads lines `seconds<TAB>fraction<TAB>text` until the end of its standard input, draws F2
-// where the text tells it, and writes the line `stop` when its button is pressed.
+// It reads lines, each a RunState, until the end of its standard input and shows them, and writes
+// the line `stop` when its button is pressed.
+#include "RunState.h"
+
 #include <QApplication>
 #include <QLabel>
 #include <QPainter>
 #include <QPainterPath>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QScreen>
 #include <QSocketNotifier>
 #include <QVBoxLayout>
@@ -57,15 +58,16 @@ std::vector<double> Ticks(double low, double high)
   return ticks;
 }
 
-// F2 against time, on a logarithmic axis
+// A value against time, on a logarithmic axis
 class ConvergencePlot : public QWidget
 {
 public:
-  void add(double seconds, double objective)
+  void add(const RunState& state)
   {
-    if (objective > 0.0 && std::isfinite(objective))
+    if (!state.Drawn.isEmpty() && state.Value > 0.0 && std::isfinite(state.Value))
     {
-      this->Points.push_back({ seconds, std::log10(objective) });
+      this->Title = state.Drawn;
+      this->Points.push_back({ state.Seconds, std::log10(state.Value) });
       this->setVisible(true);
       this->update();
     }
@@ -81,7 +83,7 @@ protected:
     const QRectF frame(left, 1.5 * text.height(), this->width() - left - 12,
       this->height() - 3.0 * text.height() - 4);
     painter.fillRect(frame, this->palette().base());
-    painter.drawText(QRectF(0, 0, frame.right(), text.height()), Qt::AlignHCenter, "Objective F2");
+    painter.drawText(QRectF(0, 0, frame.right(), text.height()), Qt::AlignHCenter, this->Title);
 
     double low = this->Points.front().y(), high = low;
     for (const QPointF& point : this->Points)
@@ -124,7 +126,8 @@ protected:
   }
 
 private:
-  std::vector<QPointF> Points;
+  QString Title;
+  std::vector<QPointF> Points; // seconds, logarithm of the value
 };
 
 class RunWindow : public QWidget
@@ -149,25 +152,17 @@ public:
     QFont bold = this->Title.font();
     bold.setBold(true);
     this->Title.setFont(bold);
-    this->Stop.setToolTip("Ends the run and keeps the best so far");
     QObject::connect(&this->Stop, &QPushButton::clicked, this, &RunWindow::stop);
   }
 
-  void tell(double seconds, double fraction, const QString& progress)
+  void tell(const RunState& state)
   {
-    const int colon = progress.indexOf(": ");
-    this->Title.setText(progress.left(colon));
-    this->Text.setText(progress.mid(colon + 2));
-    // A sum over pairs has nothing to keep before its end.
-    static const QRegularExpression divisible("F2 = | lines| throws");
-    this->Stop.setVisible(divisible.match(progress).hasMatch());
-    this->Bar.setValue(static_cast<int>(1000.0 * fraction));
-    static const QRegularExpression objective("F2 = ([-+0-9.eE]+)");
-    const QRegularExpressionMatch match = objective.match(progress);
-    if (match.hasMatch())
-    {
-      this->Plot.add(seconds, match.captured(1).toDouble());
-    }
+    this->Title.setText(state.Title);
+    this->Text.setText(state.Text);
+    this->Stop.setVisible(!state.Stop.isEmpty());
+    this->Stop.setToolTip(state.Stop);
+    this->Bar.setValue(static_cast<int>(1000.0 * state.Fraction));
+    this->Plot.add(state);
   }
 
 private:
@@ -204,10 +199,8 @@ int main(int argc, char** argv)
       unread.append(part, static_cast<int>(size));
       for (int end = unread.indexOf('\n'); end >= 0; end = unread.indexOf('\n'))
       {
-        const QString line = QString::fromUtf8(unread.left(end));
+        window.tell(RunState::FromLine(unread.left(end)));
         unread.remove(0, end + 1);
-        window.tell(line.section('\t', 0, 0).toDouble(), line.section('\t', 1, 1).toDouble(),
-          line.section('\t', 2));
       }
     });
   window.adjustSize();

@@ -2,31 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqRUCRunMonitor.h"
 
+#include "RunProgress.h"
+#include "RunState.h"
 #include "vtkRUCStopRequest.h"
 
 #include <pqApplicationCore.h>
 #include <pqProgressManager.h>
 #include <vtkClientServerStream.h>
+#include <vtkNew.h>
 #include <vtkPVPluginTracker.h>
+#include <vtkPVXMLElement.h>
+#include <vtkSMProxy.h>
+#include <vtkSMProxyIterator.h>
 #include <vtkSMProxyManager.h>
 #include <vtkSMSession.h>
 #include <vtkSMSessionProxyManager.h>
 
 #include <QApplication>
 #include <QFileInfo>
-#include <QRegularExpression>
 #include <QWidget>
+
+#include <optional>
+#include <string>
 
 namespace
 {
 constexpr int Patience = 1000; // milliseconds
 
-// Texts of progress begin with the name of the filter
-bool IsOurs(const QString& text)
+// The hint `Run` of the filters in the pipeline with this label, or null
+vtkPVXMLElement* FindHint(const std::string& label)
 {
-  static const QRegularExpression names("^(One-Point Probability|Two-Point Probability|"
-                                        "Three-Point Probability|Unit Cell Reconstruction): ");
-  return names.match(text).hasMatch();
+  vtkSMSessionProxyManager* proxies =
+    vtkSMProxyManager::GetProxyManager()->GetActiveSessionProxyManager();
+  vtkNew<vtkSMProxyIterator> sources;
+  sources->SetSessionProxyManager(proxies);
+  sources->SetModeToOneGroup();
+  for (sources->Begin("sources"); proxies && !sources->IsAtEnd(); sources->Next())
+  {
+    vtkSMProxy* proxy = sources->GetProxy();
+    if (proxy->GetXMLLabel() == label && proxy->GetHints())
+    {
+      return proxy->GetHints()->FindNestedElementByName("Run");
+    }
+  }
+  return nullptr;
 }
 
 QString Program()
@@ -75,7 +94,8 @@ void pqRUCRunMonitor::onEnableProgress(bool running)
 
 void pqRUCRunMonitor::onProgress(const QString& text, int percent)
 {
-  if (!IsOurs(text))
+  const std::optional<RunProgress> progress = RunProgress::FromText(text.toStdString());
+  if (!progress)
   {
     return;
   }
@@ -85,11 +105,7 @@ void pqRUCRunMonitor::onProgress(const QString& text, int percent)
     this->Opened = false;
     this->Unsaid.clear();
   }
-  this->Unsaid += QString("%1\t%2\t%3\n")
-                    .arg(1e-3 * this->Running.elapsed())
-                    .arg(percent / 100.0)
-                    .arg(text)
-                    .toUtf8();
+  this->Unsaid += this->describe(*progress, percent);
   if (!this->Opened)
   {
     if (this->Running.elapsed() < Patience)
@@ -115,6 +131,31 @@ void pqRUCRunMonitor::onProgress(const QString& text, int percent)
       this->stopRun();
     }
   }
+}
+
+QByteArray pqRUCRunMonitor::describe(const RunProgress& progress, int percent) const
+{
+  RunState state;
+  state.Seconds = 1e-3 * this->Running.elapsed();
+  state.Fraction = percent / 100.0;
+  state.Title = QString::fromStdString(progress.Filter);
+  state.Text = QString::fromStdString(progress.Activity);
+  vtkPVXMLElement* hint = FindHint(progress.Filter);
+  if (progress.Stoppable)
+  {
+    state.Stop = hint && hint->GetAttribute("stop") ? hint->GetAttribute("stop") : "Ends the run";
+  }
+  if (!progress.Quantity.empty())
+  {
+    state.Text += QString::fromStdString(", " + progress.Quantity + " = ") +
+      QString::number(progress.Value, 'g', 4);
+    if (hint && hint->GetAttributeOrEmpty("quantity") == progress.Quantity)
+    {
+      state.Drawn = hint->GetAttributeOrEmpty("title");
+      state.Value = progress.Value;
+    }
+  }
+  return state.ToLine();
 }
 
 void pqRUCRunMonitor::open()

@@ -6,6 +6,8 @@
 #include <QObject>
 #include <QProcess>
 
+struct RunProgress;
+
 /**
  * Opens the run window while one of the plugin's filters runs for longer than a second, tells it
  * the progress, and passes on its Stop.
@@ -13,8 +15,20 @@
  * ParaView works on one thread: while a filter runs the window of ParaView answers nothing, and to
  * let it answer in the middle of a run, with all that a click may set off, is not safe (ParaView
  * itself gave it up, see pqProgressManager). So the run window is a program of its own,
- * RepresentativeUnitCellRun, beside the plugin, and the two talk in lines of text whenever progress
- * comes in: to it `seconds<TAB>fraction<TAB>text`, from it `stop`.
+ * RepresentativeUnitCellRun, beside the plugin, and the two talk in lines whenever progress comes
+ * in. To the window goes what it shows, as one JSON object a line (RunState.h); from it comes
+ * `stop`.
+ *
+ * Which texts of progress are those of this plugin is told by their form (RunProgress.h). What is
+ * not the same in every moment of a run stands there; the rest stands in the hints of the filter's
+ * proxy, so that a filter needs no line here:
+ *
+ *     <Run stop="Ends the search and keeps the best cell so far" quantity="F2" title="Objective
+ * F2"/>
+ *
+ * `stop` tells what Stop does. `quantity` is the name of the value of the progress that is drawn
+ * against time, on a logarithmic axis, and `title` the title of that drawing; without them nothing
+ * is drawn.
  */
 class pqRUCRunMonitor : public QObject
 {
@@ -33,6 +47,7 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqRUCRunMonitor)
 
+  QByteArray describe(const RunProgress& progress, int percent) const;
   void open();
   void stopRun();
 
