@@ -27,16 +27,29 @@ def names_of(group):
     return names
 
 
+def is_ours(name):
+    """Whether a filter is one of the plugin's, by its place in the menu."""
+    hints = manager.GetPrototypeProxy("filters", name).GetHints()
+    menu = hints.FindNestedElementByName("ShowInMenu") if hints else None
+    return menu and menu.GetAttribute("category") == "Representative Unit Cell"
+
+
 reader = pv.SpherePackReader(FileName=pack, BoxSize=[10, 10, 10], BoxPeriodic=[1, 1, 1])
-modes = pv.ParticleModes(Input=reader, Method="One Per Size")
-two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=8, NumberOfDirections=2, ChordLengths=1, NumberOfLines=50,
-                                   RadialDistribution=1, Autocovariance=1)
+modes = pv.ParticleModes(Input=reader, NumberOfModes=1)  # a matrix of plots has few columns then
+two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=8)
 cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags=8, MaximumIterations=5)
 of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=8)
 sources = [modes, two_point, cell,
            pv.OnePointProbability(Input=modes),
-           pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5, NumberOfLags=8, NumberOfThrows=100),
-           pv.CompareProbabilities(Input=two_point, Cell=of_cell)]
+           pv.DirectionalProbability(Input=modes, NumberOfLags=8, NumberOfDirections=2),
+           pv.ProbabilityMap(Input=modes, Resolution=3),
+           pv.ChordLengths(Input=modes, NumberOfLags=8, NumberOfLines=50),
+           pv.RadialDistribution(Input=modes, NumberOfLags=8),
+           pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5, NumberOfLags=4, NumberOfThrows=100),
+           pv.CompareProbabilities(Input=two_point, Cell=of_cell),
+           pv.PeriodicReplicas(Input=cell)]
+missing = {name for name in names_of("filters") if is_ours(name)} - {source.SMProxy.GetXMLName() for source in sources}
+assert not missing, f"filters that are not tried: {missing}"
 tables = []
 for source in sources:
     source.UpdatePipeline()
