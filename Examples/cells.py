@@ -14,16 +14,15 @@ import math
 import os
 import sys
 import time
-import traceback
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, HERE)
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from paraview.servermanager import Fetch
 from paraview.simple import *
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-from unit_cell import close, columns, fetch, field, make_parser, minimum_image, pair, require, require_equal_data, sort_spheres, spheres
+from common import (add_output, check_all, close, columns, fetch, field, make_parser, minimum_image, norm, pair, path_in, read_pack, require,
+                    require_equal_data, run, sort_spheres, spheres, write_data, write_table, write_tables)
 
 # Table I of Lee et al., Phys. Rev. E 80, 061301 (2009): F2 before (minimum, mean, maximum) and after, iterations, overlap in percent
 PAPER = [(4.035, 7.253, 10.963, 0.520, 0.606, 0.839, 578, 0.000),
@@ -51,8 +50,7 @@ def parse_arguments():
     cell.add_argument("--time-limit", type=float, default=0.0, help="end all after so many seconds; 0: no limit")
     cell.add_argument("--checkpoint", default="", help="file from which a search that was stopped goes on")
     cell.add_argument("--seed", type=int, default=1, help="seed of the first cell; the next has one more, …")
-    parser.add_argument("--output", default="cells_results", help="folder for the files")
-    parser.add_argument("--check", action="store_true", help="test the results")
+    add_output(parser, "cells_results")
     return parser.parse_args()
 
 
@@ -68,21 +66,20 @@ class Job:
 
     def __init__(self, args):
         self.args = args
-        self.pack = SpherePackReader(FileName=os.path.abspath(args.input), LengthUnit=args.unit, BoxOrigin=args.origin,
-                                     BoxSize=args.box)
-        self.modes = sort_spheres(self.pack, args)
+        self.modes = sort_spheres(read_pack(args), args)
         self.search = UnitCellReconstruction(Input=self.modes, Method=args.method, NumberOfCells=args.cells,
                                              NumberOfParticles=args.particles, MaximumLag=args.maximum_lag, NumberOfLags=args.lags,
                                              MaximumIterations=args.iterations, Population=args.population,
                                              MatingPool=args.mating_pool, MaximumGenerations=args.generations,
                                              TargetObjective=args.target, TimeLimit=args.time_limit, Seed=args.seed,
                                              CheckpointFile=os.path.abspath(args.checkpoint) if args.checkpoint else "")
-        self.table_files = [("modes.csv", self.modes, 1), ("convergence.csv", self.search, 1), ("two_point.csv", self.search, 2),
-                            ("table_of_cells.csv", self.search, 4), ("comparison.csv", self.search, 5)]
+        # What is written: of each file the filter and its output
+        self.tables = {"modes.csv": (self.modes, 1), "convergence.csv": (self.search, 1), "two_point.csv": (self.search, 2),
+                       "table_of_cells.csv": (self.search, 4), "comparison.csv": (self.search, 5)}
         self.cells = []  # fetched
 
     def path(self, name):
-        return os.path.join(os.path.abspath(self.args.output), name)
+        return path_in(self.args.output, name)
 
     def run(self):
         self.search.UpdatePipeline()
@@ -139,28 +136,13 @@ def print_summary(job, seconds):
     print(f"equation 17, mean of {len(job.cells)} cells       {percent:.4f} %   (paper: {PAPER_DIFFERENCE} %)")
 
 
-def write_table(path, table):
-    with open(path, "w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(table)
-        for row in zip(*table.values()):
-            writer.writerow(value if isinstance(value, str) else f"{value:.17g}" for value in row)
-
-
 def write_files(job):
-    """Cells as XML with inline binary, which ParaView 5.11 reads everywhere; tables as CSV with all digits."""
-    for name, source, port in job.table_files:
-        write_table(job.path(name), columns(fetch(source, port)))
+    write_tables(job.args.output, job.tables)
     for cell in job.cells:
-        writer = vtkXMLPolyDataWriter()
-        writer.SetDataModeToBinary()
-        writer.SetInputData(cell)
-        writer.SetFileName(job.path(job.cell_file(cell)))
-        if not writer.Write():
-            raise RuntimeError(f"Cannot write {job.path(job.cell_file(cell))}.")
+        write_data(vtkXMLPolyDataWriter(), cell, job.path(job.cell_file(cell)))
     # The files are there: S_rs of every cell, for whatever one may want to do with them
     for cell in job.cells:
-        write_table(job.path(f"two_point_{job.cell_file(cell)[:-4]}.csv"), job.two_point(cell))
+        write_table(job.args.output, f"two_point_{job.cell_file(cell)[:-4]}.csv", job.two_point(cell))
 
 
 def main():
@@ -174,8 +156,7 @@ def main():
     write_files(job)
     print(f"\nfiles    {job.path('')}")
     if args.check:
-        check_all(job)
-        print("check    passed")
+        check_all(CHECKS, job)
 
 
 # ---- Checks: everything below is plain Python on the files ----
@@ -193,11 +174,6 @@ def read_table(path):
     return {name: convert([row[name] for row in rows]) for name in rows[0]}
 
 
-def norm(values):
-    """The discrete norm, over k = 1…K."""
-    return math.sqrt(math.fsum(value * value for value in values[1:]))
-
-
 def names_of(table):
     """Every ordered pair of phases as a name of a column, so that S_1_2 comes twice and S_1_1 once."""
     phases = phases_of(table)
@@ -209,12 +185,6 @@ def difference(pack, cell):
     names = names_of(pack)
     f2 = math.fsum(norm([a - b for a, b in zip(pack[name], cell[name])]) for name in names)
     return f2, 200.0 * f2 / math.fsum(norm(pack[name]) + norm(cell[name]) for name in names)
-
-
-def check_all(job):
-    for check in (check_table, check_cells, check_objective, check_mean, check_comparison, check_files):
-        check(job)
-        print(f"check    {check.__doc__.splitlines()[0]}", flush=True)
 
 
 def check_table(job):
@@ -327,14 +297,13 @@ def check_files(job):
     """the files, read again, hold what was written"""
     for cell in job.cells:
         require_equal_data(cell, read_cell(job, cell), job.cell_file(cell))
-    for name, source, port in job.table_files:
+    for name, (source, port) in job.tables.items():
         written, read = columns(fetch(source, port)), read_table(job.path(name))
         require([*map(str, written.items())] == [*map(str, read.items())], f"{name} reads differently")
 
 
+CHECKS = (check_table, check_cells, check_objective, check_mean, check_comparison, check_files)
+
+
 if __name__ == "__main__":
-    try:
-        main()
-    except Exception:
-        # Under mpirun an exception that leaves the script would keep the other ranks waiting for ever
-        sys.exit(traceback.format_exc())
+    run(main)

@@ -16,14 +16,12 @@ import math
 import os
 import sys
 import time
-import traceback
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, HERE)
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from paraview.simple import *
 
-from unit_cell import columns, fetch, field, pair, require
+from common import HERE, columns, fetch, field, norm, pair, require, run
 
 CHORDS, TEMPLATE = "Chord Sampling", "Template Sampling"
 SAMPLES = {CHORDS: ("NumberOfLines", [100, 300, 1000, 3000, 10000, 30000, 100000]),
@@ -59,11 +57,6 @@ def names_of(table):
     """Every ordered pair of phases as a name of a column, so that S_1_2 comes twice and S_1_1 once."""
     phases = list(dict.fromkeys(name.split("_")[1] for name in table if name.startswith("S_")))
     return [pair(phases, r, s) for r, s in itertools.product(phases, phases)]
-
-
-def norm(values):
-    """The discrete norm, over k = 1…K."""
-    return math.sqrt(sum(value * value for value in values[1:]))
 
 
 def error_against(exact, table):
@@ -250,8 +243,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Exception:
-        # Under mpirun an exception that leaves the script would keep the other ranks waiting for ever
-        sys.exit(traceback.format_exc())
+    run(main)

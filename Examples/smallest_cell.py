@@ -15,14 +15,12 @@ import math
 import os
 import sys
 import time
-import traceback
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, HERE)
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from paraview.simple import *
 
-from unit_cell import close, columns, fetch, field, make_parser, require, sort_spheres
+from common import add_output, close, columns, fetch, field, make_parser, path_in, read_pack, require, run, sort_spheres, write_table
 
 TABLE = "smallest_cell.csv"
 
@@ -36,9 +34,8 @@ def parse_arguments():
     sweep.add_argument("--maximum-lag", type=float, default=200.0, help="last lag r of S_rs(r)")
     sweep.add_argument("--lags", type=int, default=277, help="number K of lags after 0")
     sweep.add_argument("--seed", type=int, default=1, help="seed of the first cell of each size")
-    parser.add_argument("--output", default="smallest_cell_results", help="folder for the files")
+    add_output(parser, "smallest_cell_results")
     parser.add_argument("--pictures", action="store_true", help="draw them too")
-    parser.add_argument("--check", action="store_true", help="test the results")
     return parser.parse_args()
 
 
@@ -54,8 +51,7 @@ def missing_modes(numbers, size):
 
 def study(args):
     """{column: list of numbers}, a row a size."""
-    pack = SpherePackReader(FileName=os.path.abspath(args.input), LengthUnit=args.unit, BoxOrigin=args.origin, BoxSize=args.box)
-    modes = sort_spheres(pack, args)
+    modes = sort_spheres(read_pack(args), args)
     numbers = columns(fetch(modes, 1))["Count"]
     table = {name: [] for name in ("Spheres", "Edge", "ObjectiveMinimum", "ObjectiveMean", "ObjectiveMaximum", "LargestFractionPercent",
                                    "CellDifferencePercent", "MeanDifferencePercent", "OverlapPercent", "SecondsPerCell")}
@@ -84,16 +80,8 @@ def study(args):
     return table
 
 
-def write_table(args, table):
-    os.makedirs(args.output, exist_ok=True)
-    with open(os.path.join(args.output, TABLE), "w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(table)
-        writer.writerows([f"{value:.17g}" for value in row] for row in zip(*table.values()))
-
-
 def read_table(args):
-    with open(os.path.join(args.output, TABLE), newline="") as file:
+    with open(path_in(args.output, TABLE), newline="") as file:
         rows = list(csv.DictReader(file))
     return {name: [float(row[name]) for row in rows] for name in rows[0]}
 
@@ -145,7 +133,7 @@ def main():
     args = parse_arguments()
     args.output = os.path.abspath(args.output)
     table = study(args)
-    write_table(args, table)
+    write_table(args.output, TABLE, table)
     print(f"\nfiles    {args.output}")
     if args.pictures:
         draw(args, table)
@@ -155,8 +143,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Exception:
-        # Under mpirun an exception that leaves the script would keep the other ranks waiting for ever
-        sys.exit(traceback.format_exc())
+    run(main)

@@ -9,23 +9,22 @@ phases, with standard errors, their limits, their differences and the third-orde
 modes of equal width modes 3 and 5 of the bead pack hold 0.2 % and 0.7 % of it, and their S_355 of some 1e-5 would be lost in the
 noise. No display is needed. With --check it then tests its own results and ends with an error where one of them fails.
 """
-import csv
 import itertools
 import math
 import os
 import random
 import sys
 import time
-import traceback
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, HERE)
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from paraview.simple import *
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
-from pack_statistics import blocks, norm, standard_error, table_of, whole_image
-from unit_cell import close, fetch, field, make_parser, minimum_image, pair, require, sort_spheres, spheres, values_of
+from check_pack_statistics import blocks
+from common import (add_output, check_all, close, fetch, field, make_parser, minimum_image, norm, pair, path_in, read_pack, require,
+                    require_equal_images, require_equal_tables, run, sort_spheres, spheres, standard_error, table_of, whole_image, write_image,
+                    write_tables)
 
 MEDIA = ("pack", "cell")
 PLACES = {"r1 axis": (1, 0), "r2 axis": (0, 1), "diagonal": (1, 1)}  # of the limits: steps of r1 and r2
@@ -44,8 +43,7 @@ def parse_arguments():
     three.add_argument("--directions", type=int, default=20, help="rays of a throw; theta goes in steps of 360 degrees / this")
     three.add_argument("--throws", type=int, default=50000, help="random points and planes, of pack and cell each")
     parser.add_argument("--seed", type=int, default=1, help="seed of the cell and of the throws")
-    parser.add_argument("--output", default="three_point_results", help="folder for the files")
-    parser.add_argument("--check", action="store_true", help="test the results")
+    add_output(parser, "three_point_results")
     return parser.parse_args()
 
 
@@ -54,8 +52,7 @@ class Job:
 
     def __init__(self, args):
         self.args = args
-        self.modes = sort_spheres(SpherePackReader(FileName=os.path.abspath(args.input), LengthUnit=args.unit, BoxOrigin=args.origin,
-                                                   BoxSize=args.box), args)
+        self.modes = sort_spheres(read_pack(args), args)
         lags = {"MaximumLag": args.maximum_lag, "NumberOfLags": args.lags}
         self.cell = UnitCellReconstruction(Input=self.modes, NumberOfParticles=args.particles, TargetObjective=args.target,
                                            MaximumIterations=args.iterations, Seed=args.seed, **lags)
@@ -68,19 +65,17 @@ class Job:
         self.compare_three = CompareProbabilities(Input=self.three["pack"], Cell=[self.three["cell"]])
         self.images = {}
 
-    def table_files(self):
-        """What is written: file, filter, output port."""
-        files = [("modes.csv", self.modes, 1), ("comparison_two_point.csv", self.compare_two, 0),
-                 ("comparison_three_point.csv", self.compare_three, 0)]
+    def tables(self):
+        """What is written: of each file the filter and its output."""
+        files = {"modes.csv": (self.modes, 1), "comparison_two_point.csv": (self.compare_two, 0),
+                 "comparison_three_point.csv": (self.compare_three, 0)}
         for name in MEDIA:
-            files += [(f"two_point_{name}.csv", self.two[name], 0), (f"limits_{name}.csv", self.three[name], 1),
-                      (f"checks_{name}.csv", self.three[name], 2)]
+            files[f"two_point_{name}.csv"] = self.two[name], 0
+            files[f"limits_{name}.csv"] = self.three[name], 1
+            files[f"checks_{name}.csv"] = self.three[name], 2
             if self.parameters():
-                files += [(f"third_order_{name}.csv", self.three[name], 3)]
+                files[f"third_order_{name}.csv"] = self.three[name], 3
         return files
-
-    def path(self, name):
-        return os.path.join(os.path.abspath(self.args.output), name)
 
     def image(self, name):
         """S_rsq of pack or cell, or their difference."""
@@ -128,27 +123,6 @@ def print_summary(job, seconds):
     print("time     " + ", ".join(f"{name} {value:.1f} s" for name, value in seconds.items()))
 
 
-def write_files(job):
-    """Tables with all digits, in the order of their columns; images with inline binary data, which ParaView 5.11 reads
-    everywhere (its default, appended data, fails with newer expat libraries)."""
-    os.makedirs(job.args.output, exist_ok=True)
-    for name, source, port in job.table_files():
-        table = table_of(source, port)
-        with open(job.path(name), "w", newline="") as file:
-            writer = csv.writer(file, lineterminator="\n")
-            writer.writerow(table)
-            for row in zip(*table.values()):
-                writer.writerow(value if isinstance(value, str) else f"{value:.17g}" for value in row)
-    for name in (*MEDIA, "difference"):
-        writer = vtkXMLImageDataWriter()
-        writer.SetDataModeToBinary()
-        writer.SetCompressionLevel(1)  # numbers such as these hardly get smaller
-        writer.SetInputData(job.image(name))
-        writer.SetFileName(job.path(f"three_point_{name}.vti"))
-        if not writer.Write():
-            raise RuntimeError(f"Cannot write {job.path(f'three_point_{name}.vti')}.")
-
-
 def main():
     args = parse_arguments()
     job = Job(args)
@@ -162,20 +136,15 @@ def main():
     print(f"cell     {fetch(job.cell).GetNumberOfPoints()} spheres, F2 {field(fetch(job.cell), 'Objective'):.4f}")
     print_summary(job, seconds)
     start = time.time()
-    write_files(job)
-    print(f"files    {job.path('')} in {time.time() - start:.1f} s", flush=True)
+    write_tables(args.output, job.tables())
+    for name in (*MEDIA, "difference"):
+        write_image(args.output, f"three_point_{name}.vti", job.image(name))
+    print(f"files    {os.path.abspath(args.output)} in {time.time() - start:.1f} s", flush=True)
     if args.check:
-        check_all(job)
-        print("check    passed")
+        check_all(CHECKS, job)
 
 
 # ---- Checks: everything below is plain Python on the fetched results ----
-
-
-def check_all(job):
-    for check in (check_images, check_coincident_points, check_limits, check_comparison, check_throws, check_parameters, check_files):
-        check(job)
-        print(f"check    {check.__doc__.splitlines()[0]}", flush=True)
 
 
 def phases_of(job):
@@ -424,24 +393,16 @@ def check_parameters(job):
 
 def check_files(job):
     """the files, read again, hold what was written"""
-    for name, source, port in job.table_files():
-        written, read = table_of(source, port), table_of(CSVReader(FileName=[job.path(name)]))
-        # As text, since what is not a number does not equal itself; a column such as Phase may read as numbers
-        require([*map(str, written.items())] == [*map(str, read.items())], f"{name} reads differently")
+    require_equal_tables(job.args.output, job.tables())
     for name in (*MEDIA, "difference"):
         reader = vtkXMLImageDataReader()  # not of several ranks, of which Fetch would bring one slab
-        reader.SetFileName(job.path(f"three_point_{name}.vti"))
+        reader.SetFileName(path_in(job.args.output, f"three_point_{name}.vti"))
         reader.Update()
-        written, read = job.image(name), reader.GetOutput()
-        require(written.GetDimensions() == read.GetDimensions() and written.GetSpacing() == read.GetSpacing(), f"{name}: other points")
-        for i in range(written.GetPointData().GetNumberOfArrays()):
-            array = written.GetPointData().GetArray(i)
-            require(values_of(array) == values_of(read.GetPointData().GetArray(array.GetName())), f"{name}: other {array.GetName()}")
+        require_equal_images(job.image(name), reader.GetOutput(), name)
+
+
+CHECKS = (check_images, check_coincident_points, check_limits, check_comparison, check_throws, check_parameters, check_files)
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Exception:
-        # Under mpirun an exception that leaves the script would keep the other ranks waiting for ever
-        sys.exit(traceback.format_exc())
+    run(main)
