@@ -53,6 +53,26 @@ void RequireSameGrid(const ruc::TwoPointProbability& a, const ruc::TwoPointProba
   }
 }
 
+void RequireSameGrid(vtkImageData* pack, vtkImageData* cell, RankCommunicator& ranks)
+{
+  std::string error;
+  if (!std::equal(pack->GetExtent(), pack->GetExtent() + 6, cell->GetExtent()))
+  {
+    error = "Cell requires an image of the input's size; set the same NumberOfLags and, for S_rsq, "
+            "NumberOfDirections for both.";
+  }
+  for (int q = 0; q < 3 && error.empty(); ++q)
+  {
+    const double a = pack->GetSpacing()[q], b = cell->GetSpacing()[q];
+    if (!(std::abs(a - b) <= 1e-6 * std::abs(a)))
+    {
+      error = ruc::Text("Cell requires an image with the spacing of the input, ", a, ", got ", b,
+        "; set the same MaximumLag for both.");
+    }
+  }
+  ranks.ThrowIfAny(error);
+}
+
 bool IsError(const std::string& name)
 {
   return name.size() > 6 && name.compare(name.size() - 6, 6, "_error") == 0;
@@ -125,6 +145,63 @@ private:
   static constexpr int Bits = 48;
   std::int64_t Limbs[2] = { 0, 0 };
 };
+
+// Norms over all points of both images and of their difference, and its largest magnitude
+struct ImageComparison
+{
+  double Pack = 0.0, Cell = 0.0, Difference = 0.0, Largest = 0.0;
+};
+
+// Adds the magnitude of the difference of two arrays to the image, of which this rank has the
+// extent, and returns the norms over all ranks. Points on the border of two slabs belong to the
+// upper one.
+ImageComparison CompareArrays(vtkDataArray* a, vtkDataArray* b, const std::string& name,
+  const int* whole, vtkImageData* image, RankCommunicator& ranks)
+{
+  const int* extent = image->GetExtent();
+  const auto isOwn = [&](int i, int j, int k)
+  {
+    return (i < extent[1] || i == whole[1]) && (j < extent[3] || j == whole[3]) &&
+      (k < extent[5] || k == whole[5]);
+  };
+  const int exponent = FindExponent(a, b, ranks);
+  OrderlessSum norms[3];
+  double negative = 0.0;
+  vtkIdType place = 0;
+  ImageSlab::AddArray(image, name,
+    [&](int i, int j, int k)
+    {
+      const double x = a->GetTuple1(place), y = b->GetTuple1(place++);
+      const double difference = std::abs(x - y);
+      if (std::isfinite(difference) && isOwn(i, j, k))
+      {
+        const double values[] = { x, y, difference };
+        for (int m = 0; m < 3; ++m)
+        {
+          const double scaled = std::ldexp(values[m], -exponent);
+          norms[m].Add(scaled * scaled);
+        }
+        negative = std::min(negative, -difference);
+      }
+      return difference;
+    });
+  ranks.Minimum(&negative, 1);
+  const auto norm = [&](OrderlessSum& sum)
+  { return std::ldexp(std::sqrt(sum.Total(ranks)), exponent); };
+  return { norm(norms[0]), norm(norms[1]), norm(norms[2]), -negative };
+}
+
+// Standard errors of both, added as the root of the sum of their squares
+void AddErrors(vtkDataArray* a, vtkDataArray* b, const std::string& name, vtkImageData* image)
+{
+  vtkIdType place = 0;
+  ImageSlab::AddArray(image, name,
+    [&](int, int, int)
+    {
+      const double x = a->GetTuple1(place), y = b->GetTuple1(place++);
+      return std::hypot(x, y);
+    });
+}
 }
 
 vtkRUCCompareProbabilities::vtkRUCCompareProbabilities()
@@ -226,87 +303,39 @@ void vtkRUCCompareProbabilities::CompareTables(
 void vtkRUCCompareProbabilities::CompareImages(vtkImageData* pack, vtkImageData* cell,
   vtkInformationVector* outputs, RankCommunicator& ranks) const
 {
-  int extent[6], other[6];
-  pack->GetExtent(extent);
-  cell->GetExtent(other);
-  std::string error;
-  if (!std::equal(extent, extent + 6, other))
-  {
-    error = "Cell requires an image of the input's size; set the same NumberOfLags and, for S_rsq, "
-            "NumberOfDirections for both.";
-  }
-  for (int q = 0; q < 3 && error.empty(); ++q)
-  {
-    const double a = pack->GetSpacing()[q], b = cell->GetSpacing()[q];
-    if (!(std::abs(a - b) <= 1e-6 * std::abs(a)))
-    {
-      error = ruc::Text("Cell requires an image with the spacing of the input, ", a, ", got ", b,
-        "; set the same MaximumLag for both.");
-    }
-  }
-  ranks.ThrowIfAny(error);
-
+  RequireSameGrid(pack, cell, ranks);
   vtkImageData* image = vtkImageData::GetData(outputs, DIFFERENCES);
   image->CopyStructure(pack);
-  // Points on the border of two slabs belong to the upper one
-  const int* whole = outputs->GetInformationObject(DIFFERENCES)
-                       ->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-  const auto isOwn = [&](int i, int j, int k)
-  {
-    return (i < extent[1] || i == whole[1]) && (j < extent[3] || j == whole[3]) &&
-      (k < extent[5] || k == whole[5]);
-  };
+  vtkInformation* info = outputs->GetInformationObject(DIFFERENCES);
+  const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
   ComparisonTables::Rows rows;
-  double sums[3] = { 0.0, 0.0, 0.0 }, largestOfAll = 0.0;
+  const auto addRow = [&](const std::string& name, const ImageComparison& of)
+  {
+    rows.Add(name, of.Pack, of.Cell, of.Difference, of.Largest,
+      ComparisonTables::Percent(of.Difference, of.Pack, of.Cell), 0.0);
+  };
+  ImageComparison all;
   for (const std::string& name : CommonArrays(pack, cell, ranks))
   {
     vtkDataArray* a = pack->GetPointData()->GetArray(name.c_str());
     vtkDataArray* b = cell->GetPointData()->GetArray(name.c_str());
-    const bool isError = IsError(name);
-    const int exponent = FindExponent(a, b, ranks);
-    OrderlessSum norms[3];
-    double largest = 0.0;
-    vtkIdType place = 0;
-    ImageSlab::AddArray(image, name,
-      [&](int i, int j, int k)
-      {
-        const double x = a->GetTuple1(place), y = b->GetTuple1(place++);
-        const double difference = isError ? std::hypot(x, y) : std::abs(x - y);
-        if (!isError && std::isfinite(difference) && isOwn(i, j, k))
-        {
-          const double values[] = { x, y, difference };
-          for (int m = 0; m < 3; ++m)
-          {
-            const double scaled = std::ldexp(values[m], -exponent);
-            norms[m].Add(scaled * scaled);
-          }
-          largest = std::max(largest, difference);
-        }
-        return difference;
-      });
-    if (isError)
+    if (IsError(name))
     {
+      AddErrors(a, b, name, image);
       continue;
     }
-    double negative = -largest;
-    ranks.Minimum(&negative, 1);
-    double norm[3];
-    for (int m = 0; m < 3; ++m)
-    {
-      norm[m] = std::ldexp(std::sqrt(norms[m].Total(ranks)), exponent);
-      sums[m] += norm[m];
-    }
-    rows.Add(name, norm[0], norm[1], norm[2], -negative,
-      ComparisonTables::Percent(norm[2], norm[0], norm[1]), 0.0);
-    largestOfAll = std::max(largestOfAll, -negative);
+    const ImageComparison one = CompareArrays(a, b, name, whole, image, ranks);
+    addRow(name, one);
+    all = { all.Pack + one.Pack, all.Cell + one.Cell, all.Difference + one.Difference,
+      std::max(all.Largest, one.Largest) };
   }
-  rows.Add("all", sums[0], sums[1], sums[2], largestOfAll,
-    ComparisonTables::Percent(sums[2], sums[0], sums[1]), 0.0);
+  addRow("all", all);
+  vtkTable* table = vtkTable::GetData(outputs, COMPARISON);
   if (ranks.Rank() == 0)
   {
-    rows.Fill(vtkTable::GetData(outputs, COMPARISON), false);
+    rows.Fill(table, false);
   }
-  PackData::AddField(vtkTable::GetData(outputs, COMPARISON), "DifferencePercent",
-    std::vector<double>{ ComparisonTables::Percent(sums[2], sums[0], sums[1]) });
-  outputs->GetInformationObject(DIFFERENCES)->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
+  PackData::AddField(table, "DifferencePercent",
+    std::vector<double>{ ComparisonTables::Percent(all.Difference, all.Pack, all.Cell) });
+  info->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
 }

@@ -3,6 +3,7 @@
 #include "vtkRUCThreePointProbability.h"
 
 #include "ImageSlab.h"
+#include "OutputSummary.h"
 #include "PackData.h"
 #include "PackEstimate.h"
 #include "ProgressReport.h"
@@ -125,47 +126,18 @@ void vtkRUCThreePointProbability::Execute(
   const PackData::SharedPack pack =
     PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
   const ruc::PackShare& share = pack.Share;
-  const int modes = share.NumberOfModes();
-  const std::vector<ruc::PhaseTriple> triples = ruc::ParseTriples(this->Phases, modes);
+  const std::vector<ruc::PhaseTriple> triples =
+    ruc::ParseTriples(this->Phases, share.NumberOfModes());
   const std::unique_ptr<ruc::SamplingRegion> region = this->MakeRegion(pack, ranks);
-  const bool periodic = region->IsFullyPeriodic();
-  const ruc::LagLimit limit = ruc::LagLimit::ForFans(
-    this->HasMask() ? region->GetShape() : share.Observed, region->GetShape());
-  const ruc::ThreePointGrid grid = { limit.MakeGrid(this->MaximumLag, this->NumberOfLags),
-    this->NumberOfDirections };
-  ruc::FanSettings settings;
-  settings.Seed = this->GetCheckedSeed();
-  settings.Throws = this->NumberOfThrows;
-  settings.WithErrors = this->StandardErrors;
-  ruc::CheckFans(*region, grid, settings);
-  const double memory = this->EstimateMemory(triples.size(), !periodic, ranks.Size());
-  if (!(memory <= this->MemoryLimit))
-  {
-    throw std::invalid_argument(ruc::Text("MemoryLimit requires at least ", std::ceil(memory),
-      " MB on every rank for ", triples.size(), triples.size() == 1 ? " triple" : " triples",
-      " of phases, ", grid.Lags.Count, " lags and ", grid.Angles(), " angles",
-      this->StandardErrors ? " with standard errors" : "", ", got ", this->MemoryLimit, "."));
-  }
-  const auto progress = [&](double done, const std::string& text)
-  {
-    return ranks.Rank() != 0 ||
-      report.Update(done, ruc::Text(text, ", ", std::ceil(memory), " MB on every rank"));
-  };
-  progress(0.0, "tracing");
-
+  const ruc::ThreePointGrid grid = this->FindGrid(share, *region);
+  const double memory = this->CheckWork(*region, grid, triples.size(), ranks);
   const ruc::ThreePointProbability probability =
-    ruc::SampleFans(share.Own, modes, *region, grid, triples, settings, ranks, progress);
-  const bool stopped = probability.GetThrows() < this->NumberOfThrows;
-  if (stopped && ranks.Rank() == 0)
-  {
-    vtkWarningMacro(<< this->GetLabel() << ": stopped after " << probability.GetThrows()
-                    << " throws.");
-  }
+    this->Sample(share, *region, grid, triples, memory, ranks, report);
+
   const double overlap = ruc::MeasureOverlap(share, ranks).Percent;
   const bool exact = !this->HasMask() && overlap <= PackData::TolerableOverlap;
   const ruc::TwoPointProbability twoPoint =
     this->MeasureTwoPoint(pack, exact, *region, grid.Lags, ranks, report);
-
   this->FillImage(probability, outputs, ranks);
   if (ranks.Rank() == 0)
   {
@@ -173,23 +145,81 @@ void vtkRUCThreePointProbability::Execute(
       vtkTable::GetData(outputs, CHECKS));
     ThreePointTables::FillThirdOrder(probability, vtkTable::GetData(outputs, THIRD_ORDER));
   }
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  OutputSummary::ForEachOutput(outputs,
+    [&](vtkDataObject* data)
+    {
+      this->AddSummary(probability, exact, memory, data);
+      PackData::AddPackSummary(data, pack, share.NumberOfSpheres, twoPoint.Fractions, overlap);
+      this->AddRegionSummary(data, *region);
+    });
+  OutputSummary::WarnOfStop(this, this->GetLabel(), this->WasStopped(probability), ranks);
+}
+
+ruc::ThreePointGrid vtkRUCThreePointProbability::FindGrid(
+  const ruc::PackShare& share, const ruc::SamplingRegion& region)
+{
+  const ruc::LagLimit limit =
+    ruc::LagLimit::ForFans(this->HasMask() ? region.GetShape() : share.Observed, region.GetShape());
+  return { limit.MakeGrid(this->MaximumLag, this->NumberOfLags), this->NumberOfDirections };
+}
+
+ruc::FanSettings vtkRUCThreePointProbability::MakeSettings() const
+{
+  ruc::FanSettings settings;
+  settings.Seed = this->GetCheckedSeed();
+  settings.Throws = this->NumberOfThrows;
+  settings.WithErrors = this->StandardErrors;
+  return settings;
+}
+
+double vtkRUCThreePointProbability::CheckWork(const ruc::SamplingRegion& region,
+  const ruc::ThreePointGrid& grid, std::size_t triples, const RankCommunicator& ranks) const
+{
+  ruc::CheckFans(region, grid, this->MakeSettings());
+  const double memory = this->EstimateMemory(triples, !region.IsFullyPeriodic(), ranks.Size());
+  if (!(memory <= this->MemoryLimit))
   {
-    vtkDataObject* data = outputs->GetInformationObject(port)->Get(vtkDataObject::DATA_OBJECT());
-    PackData::AddField(data, "Method", std::string("Fan Sampling"));
-    PackData::AddField(
-      data, "LimitMethod", std::string(exact ? "Exact Pair Sum" : "Chord Sampling"));
-    PackData::AddField(data, "Phases", this->Phases);
-    PackData::AddField(data, "NumberOfLags", std::vector<long long>{ grid.Lags.Count });
-    PackData::AddField(data, "MaximumLag", std::vector<double>{ grid.Lags.Maximum() });
-    PackData::AddField(data, "NumberOfDirections", std::vector<long long>{ grid.Directions });
-    PackData::AddField(data, "NumberOfThrows",
-      std::vector<long long>{ static_cast<long long>(probability.GetThrows()) });
-    PackData::AddField(data, "Stopped", std::vector<long long>{ stopped });
-    PackData::AddField(data, "EstimatedMemory", std::vector<double>{ memory });
-    PackData::AddPackSummary(data, pack, share.NumberOfSpheres, twoPoint.Fractions, overlap);
-    this->AddRegionSummary(data, *region);
+    throw std::invalid_argument(ruc::Text("MemoryLimit requires at least ", std::ceil(memory),
+      " MB on every rank for ", triples, triples == 1 ? " triple" : " triples", " of phases, ",
+      grid.Lags.Count, " lags and ", grid.Angles(), " angles",
+      this->StandardErrors ? " with standard errors" : "", ", got ", this->MemoryLimit, "."));
   }
+  return memory;
+}
+
+ruc::ThreePointProbability vtkRUCThreePointProbability::Sample(const ruc::PackShare& share,
+  const ruc::SamplingRegion& region, const ruc::ThreePointGrid& grid,
+  const std::vector<ruc::PhaseTriple>& triples, double memory, RankCommunicator& ranks,
+  ProgressReport& report) const
+{
+  const auto progress = [&](double done, const std::string& text)
+  {
+    return ranks.Rank() != 0 ||
+      report.Update(done, ruc::Text(text, ", ", std::ceil(memory), " MB on every rank"));
+  };
+  progress(0.0, "tracing");
+  return ruc::SampleFans(
+    share.Own, share.NumberOfModes(), region, grid, triples, this->MakeSettings(), ranks, progress);
+}
+
+bool vtkRUCThreePointProbability::WasStopped(const ruc::ThreePointProbability& probability) const
+{
+  return probability.GetThrows() < this->NumberOfThrows;
+}
+
+void vtkRUCThreePointProbability::AddSummary(const ruc::ThreePointProbability& probability,
+  bool exact, double memory, vtkDataObject* data) const
+{
+  const ruc::ThreePointGrid& grid = probability.GetGrid();
+  PackData::AddField(data, "Method", std::string("Fan Sampling"));
+  PackData::AddField(data, "LimitMethod", std::string(exact ? "Exact Pair Sum" : "Chord Sampling"));
+  PackData::AddField(data, "Phases", this->Phases);
+  OutputSummary::AddLags(data, grid.Lags);
+  PackData::AddField(data, "NumberOfDirections", std::vector<long long>{ grid.Directions });
+  PackData::AddField(data, "NumberOfThrows",
+    std::vector<long long>{ static_cast<long long>(probability.GetThrows()) });
+  PackData::AddField(data, "Stopped", std::vector<long long>{ this->WasStopped(probability) });
+  PackData::AddField(data, "EstimatedMemory", std::vector<double>{ memory });
 }
 
 ruc::TwoPointProbability vtkRUCThreePointProbability::MeasureTwoPoint(

@@ -36,11 +36,15 @@
 #include "vtkRUCRegionAlgorithm.h"
 
 #include <string>
+#include <vector>
 
 class ProgressReport;
 namespace ruc
 {
+struct FanSettings;
 struct LagGrid;
+struct PackShare;
+struct PhaseTriple;
 struct ThreePointGrid;
 struct TwoPointProbability;
 class ThreePointProbability;
@@ -129,6 +133,19 @@ private:
 
   // Megabytes a rank
   double EstimateMemory(std::size_t triples, bool bounded, int ranks) const;
+  // The lags, also where they are automatic, and the angles
+  ruc::ThreePointGrid FindGrid(const ruc::PackShare& share, const ruc::SamplingRegion& region);
+  ruc::FanSettings MakeSettings() const;
+  // Refuses what cannot be done or would take more than MemoryLimit; returns what it takes
+  double CheckWork(const ruc::SamplingRegion& region, const ruc::ThreePointGrid& grid,
+    std::size_t triples, const RankCommunicator& ranks) const;
+  ruc::ThreePointProbability Sample(const ruc::PackShare& share, const ruc::SamplingRegion& region,
+    const ruc::ThreePointGrid& grid, const std::vector<ruc::PhaseTriple>& triples, double memory,
+    RankCommunicator& ranks, ProgressReport& report) const;
+  bool WasStopped(const ruc::ThreePointProbability& probability) const;
+  // How the functions were measured, as field data
+  void AddSummary(const ruc::ThreePointProbability& probability, bool exact, double memory,
+    vtkDataObject* data) const;
   // For the limits
   ruc::TwoPointProbability MeasureTwoPoint(const PackData::SharedPack& pack, bool exact,
     const ruc::SamplingRegion& region, const ruc::LagGrid& lags, RankCommunicator& ranks,
