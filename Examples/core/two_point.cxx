@@ -23,10 +23,7 @@ int main(int argc, char* argv[])
   pack.Mode.assign(pack.Size(), 1);
   const ruc::Vector3 edges{ std::atof(argv[2]), std::atof(argv[3]), std::atof(argv[4]) };
   const ruc::Window window = ruc::Window::MakeBox({ 0, 0, 0 }, edges, { false, false, false });
-  const ruc::ExactPairSum pairs(pack, window, ruc::LagGrid{ 10.0, 20 });
-  std::vector<std::int64_t> sums(pairs.SumsSize());
-  pairs.AddChunks(0, 1, sums.data());
-  const ruc::TwoPointProbability probability = pairs.Result(sums);
+  const ruc::TwoPointProbability probability = ruc::SumPairs(pack, window, { 10.0, 20 });
   for (int k = 0; k <= probability.Lags.Count; ++k)
   {
     std::printf("%g,%.15g\n", k * probability.Lags.Spacing, probability.S(1, 1)[k]);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProgressReport.h"
 
+#include "RankCommunicator.h"
 #include "vtkRUCStopRequest.h"
 
 #include "vtkAlgorithm.h"
@@ -64,4 +65,15 @@ bool ProgressReport::Update(double fraction, const std::string& activity)
 {
   this->Tell(fraction, { this->Name, activity, true, {}, 0.0 });
   return !this->Filter->GetAbortExecute() && !vtkRUCStopRequest::IsPending();
+}
+
+std::function<void(double)> ProgressReport::ForPairs(const RankCommunicator& ranks)
+{
+  return [this, &ranks](double done)
+  {
+    if (ranks.Rank() == 0)
+    {
+      this->Tell(done, "summing pairs");
+    }
+  };
 }

@@ -6,8 +6,10 @@
 #include "RUCCommonModule.h"
 
 #include <chrono>
+#include <functional>
 #include <string>
 
+class RankCommunicator;
 class vtkAlgorithm;
 
 /**
@@ -33,6 +35,9 @@ public:
    * vtkRUCStopRequest or somebody has called SetAbortExecute.
    */
   [[nodiscard]] bool Update(double fraction, const std::string& activity);
+
+  /** Tells, on rank 0, the share of the pairs that are summed: for sums that cannot be stopped. */
+  std::function<void(double)> ForPairs(const RankCommunicator& ranks);
 
   double Seconds() const;
 

@@ -9,11 +9,11 @@
 #include "ProbabilityTable.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
-#include "TwoPointSum.h"
 #include "vtkRUCStopRequest.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Estimates/Estimates.h"
 #include "ruc/Reconstruction/CellContents.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Results/TwoPointChecks.h"
 
@@ -468,13 +468,14 @@ void vtkRUCUnitCellReconstruction::Execute(
     const ruc::LagGrid lags =
       ruc::LagLimit::ForPairSum(pack.Share.Observed, pack.Share.LargestRadius)
         .MakeGrid(0.0, this->NumberOfLags);
-    return this->FindEdge(
-      TwoPointSum::Compute(pack.Share, lags, ranks, report), pack.Share.MeanDiameter(), ranks);
+    return this->FindEdge(ruc::SumPairs(pack.Share, lags, ranks, report.ForPairs(ranks)),
+      pack.Share.MeanDiameter(), ranks);
   };
   const ruc::CellContents contents = this->FindContents(this->FindAmounts(pack.Share), findEdge);
   const ruc::LagGrid lags =
     ruc::LagLimit::ForCell(contents.Edge).MakeGrid(this->MaximumLag, this->NumberOfLags);
-  const ruc::TwoPointProbability target = TwoPointSum::Compute(pack.Share, lags, ranks, report);
+  const ruc::TwoPointProbability target =
+    ruc::SumPairs(pack.Share, lags, ranks, report.ForPairs(ranks));
   this->Reconstruct(contents, target, pack.LengthUnit, outputs, ranks, report);
 }
 

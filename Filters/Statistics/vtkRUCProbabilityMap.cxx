@@ -96,14 +96,7 @@ void vtkRUCProbabilityMap::Execute(
   const int modes = share.NumberOfModes();
   const double reach = this->FindReach(share);
   const ruc::ProbabilityMap map = ruc::MapPairs(share, ParsePairs(this->PhasePairs, modes),
-    reach / this->Resolution, reach, ranks,
-    [&](double done)
-    {
-      if (ranks.Rank() == 0)
-      {
-        report.Tell(done, "summing pairs");
-      }
-    });
+    reach / this->Resolution, reach, ranks, report.ForPairs(ranks));
 
   this->FillImage(map, modes, ranks, outputs);
   vtkImageData* image = vtkImageData::GetData(outputs);

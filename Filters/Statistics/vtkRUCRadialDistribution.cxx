@@ -33,14 +33,7 @@ void vtkRUCRadialDistribution::Execute(
     PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
   const ruc::LagGrid lags = MeasuredLags::Find(this->MaximumLag, this->NumberOfLags, pack.Share);
   const ruc::RadialDistribution distribution =
-    ruc::MeasureRadialDistribution(pack.Share, lags, ranks,
-      [&](double done)
-      {
-        if (ranks.Rank() == 0)
-        {
-          report.Tell(done, "summing pairs");
-        }
-      });
+    ruc::MeasureRadialDistribution(pack.Share, lags, ranks, report.ForPairs(ranks));
 
   vtkTable* table = vtkTable::GetData(outputs);
   if (ranks.Rank() == 0)

@@ -9,10 +9,10 @@
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
 #include "ThreePointTables.h"
-#include "TwoPointSum.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Estimates/Estimates.h"
 #include "ruc/Particles/PackOverlap.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
 #include "ruc/Statistics/Sampling/FanSampling.h"
@@ -228,7 +228,7 @@ ruc::TwoPointProbability vtkRUCThreePointProbability::MeasureTwoPoint(
 {
   if (exact)
   {
-    return TwoPointSum::Compute(pack.Share, lags, ranks, report);
+    return ruc::SumPairs(pack.Share, lags, ranks, report.ForPairs(ranks));
   }
   ruc::SamplingSettings settings;
   settings.Seed = this->GetCheckedSeed();

@@ -8,10 +8,10 @@
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
 #include "StatisticsEstimate.h"
-#include "TwoPointSum.h"
 #include "TwoPointTables.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Particles/PackOverlap.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
 #include "ruc/Statistics/Sampling/TemplateSampling.h"
@@ -113,7 +113,8 @@ ruc::SampledTwoPoint vtkRUCTwoPointProbability::Measure(const ruc::PackShare& sh
       return ruc::SampleTemplate(
         share.Own, modes, *region, lags, this->GetSettings(true), ranks, progress);
     default: // exact, so without errors
-      return { TwoPointSum::Compute(share, lags, ranks, report), {}, {}, {}, 0, 0.0, false };
+      return { ruc::SumPairs(share, lags, ranks, report.ForPairs(ranks)), {}, {}, {}, 0, 0.0,
+        false };
   }
 }
 

@@ -48,13 +48,6 @@ ruc::SpherePack ReadPack()
   return pack;
 }
 
-ruc::TwoPointProbability PairSum(const ruc::ExactPairSum& sum)
-{
-  std::vector<std::int64_t> sums(sum.SumsSize(), 0);
-  sum.AddChunks(0, 1, sums.data());
-  return sum.Result(sums);
-}
-
 // Pairs closer than the cut-off of the sum
 double CountedPairs(const ruc::SpherePack& pack)
 {
@@ -80,11 +73,11 @@ double CountedPairs(const ruc::SpherePack& pack)
 void PairLoop(benchmark::State& state)
 {
   const ruc::SpherePack pack = ReadPack();
-  const ruc::ExactPairSum sum(pack, Block, Lags);
-  std::vector<std::int64_t> sums(sum.SumsSize(), 0);
+  const ruc::PackShare share = ruc::SharePack(pack, Block);
+  ruc::Communicator serial;
   for (auto _ : state)
   {
-    sum.AddChunks(0, 1, sums.data());
+    benchmark::DoNotOptimize(ruc::SumPairs(share, Lags, serial));
   }
   const double pairs = CountedPairs(pack);
   state.counters["pairs"] = pairs;
@@ -98,7 +91,7 @@ void WholePairSum(benchmark::State& state)
   const ruc::SpherePack pack = ReadPack();
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(PairSum(ruc::ExactPairSum(pack, Block, Lags)));
+    benchmark::DoNotOptimize(ruc::SumPairs(pack, Block, Lags));
   }
 }
 BENCHMARK(WholePairSum)->Unit(benchmark::kMillisecond);
@@ -106,7 +99,7 @@ BENCHMARK(WholePairSum)->Unit(benchmark::kMillisecond);
 void Objective(benchmark::State& state)
 {
   const ruc::SpherePack pack = ReadPack();
-  const ruc::TwoPointProbability target = PairSum(ruc::ExactPairSum(pack, Block, Lags));
+  const ruc::TwoPointProbability target = ruc::SumPairs(pack, Block, Lags);
   const ruc::CellContents contents = ruc::FindCellContents(ruc::SharePack(pack, Block), 1082);
   ruc::Communicator serial;
   ruc::CellObjective objective(contents, target, serial);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Measure.h"
 #include "Oracles.h"
 #include "ruc/Reconstruction/CellContents.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
 
 /** @file A problem for searches: a pack of 8 times 40 spheres, and a cell of 40. */
 
@@ -15,7 +15,7 @@ struct SearchProblem
     , Contents(ruc::FindCellContents(
         ruc::SharePack(oracle::RelaxedPack({ 107, 213 }, { 1.0, 0.6 }, this->Box, 70), this->Box),
         40))
-    , Target(Measure(
+    , Target(ruc::SumPairs(
         oracle::RelaxedPack({ 107, 213 }, { 1.0, 0.6 }, this->Box, 70), this->Box, { 0.15, 24 }))
   {
   }

@@ -50,7 +50,7 @@ struct Estimate
 /** A pack spread over the ranks, and its overlap. */
 Estimate EstimatePack(const PackFigures& pack);
 
-/** ExactPairSum. */
+/** SumPairs. */
 Estimate EstimatePairSum(const PackFigures& pack, const LagGrid& lags);
 /** SumPairsAlong. */
 Estimate EstimatePairSumAlong(const PackFigures& pack, const LagGrid& lags, int directions);

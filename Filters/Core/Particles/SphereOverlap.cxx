@@ -47,13 +47,7 @@ double LensVolume(double a, double b, double t)
 
 double OverlapMoment(double a, double b, double t)
 {
-  const double s = a + b;
-  const double q = std::abs(a - b);
-  const double u = std::max(s - std::abs(t), 0.0);
-  const double v = std::max(q - std::abs(t), 0.0);
-  return Pi / 12.0 *
-    (u * u * u * (4.0 * a * b - s * u + 0.2 * u * u) +
-      v * v * v * (4.0 * a * b + q * v - 0.2 * v * v));
+  return Pi / 12.0 * MomentFormula(a, b)(std::abs(t));
 }
 
 double OverlapMomentSlope(double a, double b, double t)

@@ -22,6 +22,10 @@
  * function.
  */
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace ruc
 {
 /** Volume of a sphere. */
@@ -48,4 +52,53 @@ struct AveragedOverlap
  * d = 0 taken exactly.
  */
 AveragedOverlap OrientationAveragedOverlap(double a, double b, double r, double d);
+
+/**
+ * 12 / pi V_ab(t) without branches, for loops that are to become vector loops: t is moved into
+ * [|a - b|, a + b], outside of which the volume is constant. It may differ from LensVolume in the
+ * last digits.
+ */
+class LensFormula
+{
+public:
+  LensFormula(double a, double b)
+    : Contact(a + b)
+    , Inside(std::max(std::abs(a - b), std::numeric_limits<double>::min()))
+    , Product(3.0 * (a - b) * (a - b))
+  {
+  }
+  double operator()(double t) const
+  {
+    const double u = std::min(std::max(t, this->Inside), this->Contact);
+    const double depth = this->Contact - u;
+    return depth * depth * (u + 2.0 * this->Contact - this->Product / u);
+  }
+
+  const double Contact;
+
+private:
+  double Inside, Product;
+};
+
+/** 12 / pi h_ab(t), t >= 0, likewise without branches. */
+class MomentFormula
+{
+public:
+  MomentFormula(double a, double b)
+    : Contact(a + b)
+    , Difference(std::abs(a - b))
+    , Product(4.0 * a * b)
+  {
+  }
+  double operator()(double t) const
+  {
+    const double u = std::max(this->Contact - t, 0.0);
+    const double v = std::max(this->Difference - t, 0.0);
+    return u * u * u * (this->Product - this->Contact * u + 0.2 * u * u) +
+      v * v * v * (this->Product + this->Difference * v - 0.2 * v * v);
+  }
+
+private:
+  double Contact, Difference, Product;
+};
 }

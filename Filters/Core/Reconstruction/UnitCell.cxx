@@ -11,13 +11,9 @@ UnitCell FinishUnitCell(SpherePack pack, const Window& box, const TwoPointProbab
   std::uint32_t seed, Communicator& ranks, const std::function<bool()>& carryOn)
 {
   RemoveOverlap(pack, box, seed, carryOn);
-  SpherePack sorted = pack;
-  SortCanonically(sorted);
-  const ExactPairSum sum(sorted, box, target.Lags);
-  std::vector<std::int64_t> sums(sum.SumsSize(), 0);
-  sum.AddChunks(ranks.Rank(), ranks.Size(), sums.data());
-  ranks.Sum(sums.data(), sums.size());
-  TwoPointProbability probability = sum.Result(sums);
+  // All ranks hold the cell: one hands it out
+  const PackShare share = SharePack(ranks.Rank() == 0 ? pack : SpherePack(), box, true, ranks);
+  TwoPointProbability probability = SumPairs(share, target.Lags, ranks);
   const double objective = TwoPointDifference(target, probability);
   const PackOverlap overlap = MeasureOverlap(pack, box);
   return { std::move(pack), box, objective, 0.0, overlap, 0, EndReason::None,

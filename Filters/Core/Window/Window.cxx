@@ -197,6 +197,36 @@ Window Window::GetBounds() const
   return MakeBox(origin, size, { false, false, false });
 }
 
+// The cube root of the set covariance of a convex window is concave, so its least value over a
+// polytope is at a corner; this one holds the ball: no component above reach, no two together above
+// sqrt(2) reach, no three above sqrt(3) reach.
+double Window::LeastSetCovariance(double reach) const
+{
+  const double steps[3] = { reach, (std::sqrt(2.0) - 1.0) * reach,
+    (std::sqrt(3.0) - std::sqrt(2.0)) * reach };
+  double least = this->Volume();
+  if (this->WindowShape == Shape::Cylinder)
+  {
+    const Vector3& a = this->Axis;
+    // a direction across the axis
+    Vector3 b = std::abs(a[0]) < 0.5 ? Vector3{ 0.0, a[2], -a[1] } : Vector3{ a[1], -a[0], 0.0 };
+    const double length = std::hypot(b[0], b[1], b[2]);
+    for (int along : { 0, 1 })
+    {
+      const double x = steps[along], y = steps[1 - along] / length;
+      least = std::min(
+        least, this->SetCovariance(x * a[0] + y * b[0], x * a[1] + y * b[1], x * a[2] + y * b[2]));
+    }
+    return least;
+  }
+  int order[3] = { 0, 1, 2 };
+  do
+  {
+    least = std::min(least, this->SetCovariance(steps[order[0]], steps[order[1]], steps[order[2]]));
+  } while (std::next_permutation(order, order + 3));
+  return least;
+}
+
 double Window::Reach() const
 {
   if (this->WindowShape == Shape::Cylinder)

@@ -64,6 +64,9 @@ public:
   /** The smallest box with edges along the axes that holds the window. */
   Window GetBounds() const;
 
+  /** A lower bound of the set covariance over all displacements of a length up to `reach`. */
+  double LeastSetCovariance(double reach) const;
+
   /** Every displacement shorter than this has a set covariance > 0; infinity where all axes are
    * periodic. */
   double Reach() const;

@@ -19,16 +19,6 @@ namespace
 using ruc::SpherePack;
 using ruc::Window;
 
-ruc::TwoPointProbability MeasureOverRanks(
-  ruc::Communicator& ranks, const ruc::PackShare& share, const ruc::LagGrid& lags)
-{
-  const ruc::ExactPairSum sum(share, lags, ranks);
-  std::vector<std::int64_t> sums(sum.SumsSize(), 0);
-  sum.AddChunks(0, 1, sums.data());
-  ranks.Sum(sums.data(), sums.size());
-  return sum.Result(sums);
-}
-
 const std::vector<Window> Windows = {
   oracle::PeriodicCube(10.0),
   Window::MakeBox({ 0, 0, 0 }, { 10, 10, 10 }, { false, false, false }),
@@ -148,7 +138,7 @@ TEST(PackShare, ResultsAreTheSameForAnySharing)
       const ruc::LagGrid lags = { 0.2, 20 };
       const ruc::PackShare whole = ruc::SharePack(pack, window);
       ruc::Communicator serial;
-      const ruc::TwoPointProbability expected = MeasureOverRanks(serial, whole, lags);
+      const ruc::TwoPointProbability expected = ruc::SumPairs(pack, window, lags);
       const ruc::PackOverlap overlap = ruc::MeasureOverlap(whole, serial);
       EXPECT_NEAR(overlap.Percent, ruc::MeasureOverlap(pack, window).Percent, 1e-9);
       for (int size : { 2, 3, 6 })
@@ -160,7 +150,7 @@ TEST(PackShare, ResultsAreTheSameForAnySharing)
             {
               const ruc::PackShare share = ruc::SharePack(
                 oracle::PieceOf(pack, ranks.Rank(), size, allOnLast), window, true, ranks);
-              const ruc::TwoPointProbability got = MeasureOverRanks(ranks, share, lags);
+              const ruc::TwoPointProbability got = ruc::SumPairs(share, lags, ranks);
               EXPECT_TRUE(got.Values == expected.Values) << window.Describe() << size;
               EXPECT_TRUE(got.Fractions == expected.Fractions);
               const ruc::PackOverlap shared = ruc::MeasureOverlap(share, ranks);
@@ -179,14 +169,13 @@ TEST(PackShare, MoreRanksThanSpheres)
   const Window box = oracle::PeriodicCube(10.0);
   SpherePack pack = oracle::RandomPack({ 1, 2 }, { 1.0, 0.5 }, box, 5);
   const ruc::LagGrid lags = { 1.0, 5 };
-  ruc::Communicator serial;
-  const auto expected = MeasureOverRanks(serial, ruc::SharePack(pack, box), lags).Values;
+  const auto expected = ruc::SumPairs(pack, box, lags).Values;
   oracle::ThreadRanks::Run(5,
     [&](ruc::Communicator& ranks)
     {
       const ruc::PackShare share =
         ruc::SharePack(oracle::PieceOf(pack, ranks.Rank(), 5, true), box, true, ranks);
-      EXPECT_TRUE(MeasureOverRanks(ranks, share, lags).Values == expected);
+      EXPECT_TRUE(ruc::SumPairs(share, lags, ranks).Values == expected);
     });
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Reconstruction/CellObjective.h"
 
-#include "Measure.h"
 #include "Oracles.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
 
 #include <omp.h>
 
@@ -26,7 +26,7 @@ CellContents Contents()
 TwoPointProbability Target(const ruc::LagGrid& lags)
 {
   const ruc::Window box = oracle::PeriodicCube(6.0);
-  return Measure(oracle::RelaxedPack({ 12, 28 }, { 1.0, 0.6 }, box, 50), box, lags);
+  return ruc::SumPairs(oracle::RelaxedPack({ 12, 28 }, { 1.0, 0.6 }, box, 50), box, lags);
 }
 
 std::vector<double> Centres(std::uint64_t seed, bool relaxed)
@@ -59,7 +59,7 @@ TEST(CellObjective, AgreesWithTheFinerTablesOfThePairSum)
     {
       const std::vector<double> centres = Centres(51, relaxed);
       const double exact = ruc::TwoPointDifference(
-        target, Measure(Contents().MakePack(centres.data()), Contents().MakeBox(), lags));
+        target, ruc::SumPairs(Contents().MakePack(centres.data()), Contents().MakeBox(), lags));
       EXPECT_GT(exact, 0.01);
       // tables of 1/4 of the smaller radius: 1e-3 of F2 is what the search asks of them
       EXPECT_NEAR(objective.Evaluate(centres.data(), nullptr).TwoPoint, exact, 1e-3 * exact)
@@ -104,7 +104,7 @@ TEST(CellObjective, IsZeroForItsOwnTarget)
   ruc::Communicator serial;
   const std::vector<double> centres = Centres(52, true);
   const ruc::Window box = oracle::PeriodicCube(6.0);
-  const TwoPointProbability target = Measure(Contents().MakePack(centres.data()), box, Fine);
+  const TwoPointProbability target = ruc::SumPairs(Contents().MakePack(centres.data()), box, Fine);
   CellObjective objective(Contents(), target, serial);
   const CellObjective::Terms terms = objective.Evaluate(centres.data(), nullptr);
   // Nine functions of K lags, each off by the error of tables twice as coarse as those of 1e-6: 16

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Reconstruction/GradientSearch.h"
 
-#include "Measure.h"
 #include "Oracles.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
 
 #include <omp.h>
 
@@ -22,7 +22,7 @@ struct Problem
     : Pack(oracle::RelaxedPack({ 160, 320 }, { 1.0, 0.6 }, oracle::PeriodicCube(14.5), 70))
     , Box(oracle::PeriodicCube(14.5))
     , Contents(ruc::FindCellContents(ruc::SharePack(this->Pack, this->Box), 60))
-    , Target(Measure(this->Pack, this->Box, { 0.15, 24 }))
+    , Target(ruc::SumPairs(this->Pack, this->Box, { 0.15, 24 }))
   {
   }
   ruc::SpherePack Pack;
@@ -74,7 +74,8 @@ void ExpectConsistent(const UnitCell& cell)
   EXPECT_TRUE(cell.Box.IsFullyPeriodic());
   EXPECT_EQ(cell.Box.Size, (ruc::Vector3{ contents.Edge, contents.Edge, contents.Edge }));
   // The objective is F2 of the pack that is returned, and the last row of the convergence says so.
-  const TwoPointProbability probability = Measure(cell.Pack, cell.Box, TheProblem().Target.Lags);
+  const TwoPointProbability probability =
+    ruc::SumPairs(cell.Pack, cell.Box, TheProblem().Target.Lags);
   EXPECT_EQ(cell.Objective, ruc::TwoPointDifference(TheProblem().Target, probability));
   EXPECT_EQ(cell.Probability.Values, probability.Values);
   ASSERT_GE(cell.Convergence.size(), 2u);

@@ -26,18 +26,18 @@ struct DirectionalProbability
 
 /**
  * Exact S_rs of a pack of spheres along directions, as a sum over pairs of the lens volume V
- * (Geometry/SphereOverlap.h):
+ * (SphereOverlap.h):
  *
  *     S_rs(r n) = delta_rs / V sum_i V_ii(r)
  *                 + sum over i in r, j in s, i != j of V_ij(|d_ij - r n|) / gamma(d_ij)
  *
  * symmetrised over n and -n, with the same weights, images and treatment of overlap as
- * ExactPairSum, whose S_rs is the average of this one over all directions. No tables are involved:
+ * SumPairs, whose S_rs is the average of this one over all directions. No tables are involved:
  * the error is that of rounding (2^-34 of the largest sphere's volume for a pair).
  *
  * Collective; the result is equal, bit by bit, on every rank and for any number of ranks and
  * threads. `progress` is told the share that is done, on the calling thread.
- * Throws std::invalid_argument, the same on every rank, for lags that ExactPairSum would refuse,
+ * Throws std::invalid_argument, the same on every rank, for lags that SumPairs would refuse,
  * for directions that are not of length 1, and for more numbers (directions x pairs of phases x
  * lags) than 5e7.
  */

@@ -31,6 +31,23 @@ WeightedPairs::WeightedPairs(const PackShare& share, double cutoff, Communicator
     ranks.Minimum(&heaviest, 1);
     heaviest = -heaviest;
   }
+  this->FindScale(heaviest, ranks, property);
+}
+
+WeightedPairs::WeightedPairs(
+  const PackShare& share, double cutoff, double heaviest, Communicator& ranks, const char* property)
+  : Pairs(share, cutoff, ranks)
+  , Observed(share.Observed)
+  , Cube(std::numeric_limits<double>::infinity())
+  , Rim(1.0)
+  , Volume(share.Observed.Volume())
+  , Periodic(share.Observed.IsFullyPeriodic())
+{
+  this->FindScale(heaviest, ranks, property);
+}
+
+void WeightedPairs::FindScale(double heaviest, Communicator& ranks, const char* property)
+{
   this->Scale = std::ldexp(1.0, FixedPointSums::TermBits - 2 - std::ilogb(heaviest));
 
   constexpr std::int64_t mostCentres = 64;
@@ -38,7 +55,7 @@ WeightedPairs::WeightedPairs(const PackShare& share, double cutoff, Communicator
   ranks.ThrowIfAny(terms <= FixedPointSums::MostTerms
       ? ""
       : Text(property, " requires fewer than ", FixedPointSums::MostTerms,
-          " spheres around one within a distance of ", cutoff, "."));
+          " spheres around one within a distance of ", this->Pairs.GetCutoff(), "."));
   this->Step = static_cast<std::size_t>(
     std::clamp<std::int64_t>(FixedPointSums::MostTerms / terms, 1, mostCentres));
   this->Terms = terms * static_cast<std::int64_t>(this->Step);

@@ -24,13 +24,17 @@ class WeightedPairs
 {
 public:
   /**
-   * Collective. Pairs with a displacement that is `rim` or more away from the cube of half edge
-   * `cube` around 0 are left out; all others must have a set covariance > 0.
-   * Throws std::invalid_argument, the same on every rank, where a sphere may have more than
-   * FixedPointSums::MostTerms others around it; `property` is what to blame.
+   * Collective; the heaviest weight is looked for among all pairs. Pairs with a displacement that
+   * is `rim` or more away from the cube of half edge `cube` around 0 are left out; all others must
+   * have a set covariance > 0. Throws std::invalid_argument, the same on every rank, where a sphere
+   * may have more than FixedPointSums::MostTerms others around it; `property` is what to blame.
    */
   WeightedPairs(const PackShare& share, double cutoff, Communicator& ranks, const char* property,
     double cube = std::numeric_limits<double>::infinity(), double rim = 1.0);
+
+  /** The same for all pairs closer than the cut-off, of which none weighs more than `heaviest`. */
+  WeightedPairs(const PackShare& share, double cutoff, double heaviest, Communicator& ranks,
+    const char* property);
 
   PairNeighbourhood Pairs;
   /** Twice the weight of any pair of any rank times Scale is at most 2^FixedPointSums::TermBits. */
@@ -98,32 +102,10 @@ public:
   }
 
 private:
+  void FindScale(double heaviest, Communicator& ranks, const char* property);
+
   Window Observed;
   double Cube, Rim, Volume;
   bool Periodic;
-};
-
-/** 12 / pi x the lens volume of SphereOverlap.h, without branches, for loops that are to become
- * vector loops: t is moved into [|a - b|, a + b], outside of which the volume is constant. */
-class LensFormula
-{
-public:
-  LensFormula(double a, double b)
-    : Contact(a + b)
-    , Inside(std::max(std::abs(a - b), std::numeric_limits<double>::min()))
-    , Product(3.0 * (a - b) * (a - b))
-  {
-  }
-  double operator()(double t) const
-  {
-    const double u = std::min(std::max(t, this->Inside), this->Contact);
-    const double depth = this->Contact - u;
-    return depth * depth * (u + 2.0 * this->Contact - this->Product / u);
-  }
-
-  const double Contact;
-
-private:
-  double Inside, Product;
 };
 }

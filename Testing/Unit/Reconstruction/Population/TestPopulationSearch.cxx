@@ -102,7 +102,7 @@ double ObjectiveOf(const std::vector<double>& centres)
     }
   }
   return ruc::TwoPointDifference(TheSearchProblem().Target,
-    Measure(pack, oracle::PeriodicCube(contents.Edge), TheSearchProblem().Target.Lags));
+    ruc::SumPairs(pack, oracle::PeriodicCube(contents.Edge), TheSearchProblem().Target.Lags));
 }
 
 void ExpectConsistent(const PopulationResult& result)
@@ -117,7 +117,7 @@ void ExpectConsistent(const PopulationResult& result)
     EXPECT_EQ(cell.Pack.Radius[i], contents.Radius[cell.Pack.Mode[i] - 1]);
   }
   const ruc::TwoPointProbability probability =
-    Measure(cell.Pack, cell.Box, TheSearchProblem().Target.Lags);
+    ruc::SumPairs(cell.Pack, cell.Box, TheSearchProblem().Target.Lags);
   EXPECT_EQ(cell.Objective, ruc::TwoPointDifference(TheSearchProblem().Target, probability));
   EXPECT_EQ(cell.StartObjective, result.Before.Mean);
   for (const ruc::ObjectiveRange& range : { result.Before, result.After })

@@ -149,10 +149,7 @@ TEST(DirectionalProbability, AverageOverTheSphereIsTheIsotropicFunction)
   const Window box = oracle::PeriodicCube(10.0);
   const SpherePack pack = oracle::RelaxedPack({ 40, 60 }, { 0.9, 0.5 }, box, 7);
   const ruc::LagGrid lags = { 0.3, 12 };
-  const ruc::ExactPairSum sum(pack, box, lags);
-  std::vector<std::int64_t> sums(sum.SumsSize(), 0);
-  sum.AddChunks(0, 1, sums.data());
-  const ruc::TwoPointProbability expected = sum.Result(sums);
+  const ruc::TwoPointProbability expected = ruc::SumPairs(pack, box, lags);
   // The mean over ever more even directions is a quadrature that converges, at least as one over
   // the square root of their number, and its limit must be the isotropic function
   const auto mean = [&](int count)

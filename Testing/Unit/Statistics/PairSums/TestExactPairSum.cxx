@@ -4,25 +4,17 @@
 #include "ruc/Statistics/Results/LagLimit.h"
 
 #include "Oracles.h"
+#include "ThreadRanks.h"
 #include "ruc/Particles/SphereOverlap.h"
 
 #include <omp.h>
 
 namespace
 {
-using ruc::ExactPairSum;
 using ruc::LagGrid;
 using ruc::SpherePack;
 using ruc::TwoPointProbability;
 using ruc::Window;
-
-TwoPointProbability Measure(const SpherePack& pack, const Window& window, const LagGrid& lags)
-{
-  const ExactPairSum sum(pack, window, lags);
-  std::vector<std::int64_t> sums(sum.SumsSize(), 0);
-  sum.AddChunks(0, 1, sums.data());
-  return sum.Result(sums);
-}
 
 /**
  * S_rs of the modes by the definition: a sum over all pairs and images. With `quadrature` the mean
@@ -90,6 +82,16 @@ void ExpectNear(
   }
 }
 
+double LargestDifference(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double largest = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+  {
+    largest = std::max(largest, std::abs(a[k] - b[k]));
+  }
+  return largest;
+}
+
 void ExpectNear(const std::vector<double>& values, const Expected& expected)
 {
   ASSERT_EQ(values.size(), expected.Values.size());
@@ -131,6 +133,7 @@ SpherePack WithDistinctRadii(SpherePack pack)
 // The documented error of the tables, 1e-6 of each S_rs, is taken as 1e-6 of the largest value it
 // has, c_r for r = s; the functions of two modes are no larger than the lesser c_r.
 constexpr double TableError = 1e-6;
+constexpr double FixedPointError = 1e-8; // of the closed form
 }
 
 TEST(TwoPointProbability, PairsAreNumberedThrough)
@@ -219,7 +222,7 @@ TEST(ExactPairSum, OneSphereAloneIsItsOwnOverlap)
   pack.X = pack.Y = pack.Z = { 0.5 };
   pack.Radius = { 1.0 };
   pack.Mode = { 1 };
-  const TwoPointProbability probability = Measure(pack, box, { 0.1, 79 });
+  const TwoPointProbability probability = ruc::SumPairs(pack, box, { 0.1, 79 });
   const double c = 4.0 / 3.0 * oracle::Pi / 1000.0;
   EXPECT_NEAR(probability.Fractions[0], c, 1e-17);
   for (int k = 0; k <= 79; ++k)
@@ -240,7 +243,7 @@ TEST(ExactPairSum, OneSphereAndItsImages)
   pack.Radius = { 1.2 };
   pack.Mode = { 1 };
   const LagGrid lags = { 0.4, 24 };
-  const TwoPointProbability probability = Measure(pack, box, lags);
+  const TwoPointProbability probability = ruc::SumPairs(pack, box, lags);
   ExpectNear(probability.S(0, 0), BruteForce(pack, box, lags, 0, 0, true));
 }
 
@@ -254,7 +257,7 @@ TEST(ExactPairSum, TwoSpheresOfTwoModes)
   pack.Radius = { 1.1, 0.6 };
   pack.Mode = { 2, 1 };
   const LagGrid lags = { 0.25, 24 };
-  const TwoPointProbability probability = Measure(pack, box, lags);
+  const TwoPointProbability probability = ruc::SumPairs(pack, box, lags);
   for (int r = 0; r < 2; ++r)
   {
     for (int s = r; s < 2; ++s)
@@ -283,7 +286,7 @@ TEST(ExactPairSum, CubicLattices)
     const SpherePack pack = Lattice(lattice.Sites, edge, edge * lattice.Radius * shrink);
     const Window box = oracle::PeriodicCube(edge);
     const LagGrid lags = { 0.15, 20 };
-    const TwoPointProbability probability = Measure(pack, box, lags);
+    const TwoPointProbability probability = ruc::SumPairs(pack, box, lags);
     EXPECT_NEAR(probability.Fractions[0], lattice.Fraction, 1e-8); // radii are shrunk by 1e-9
     ExpectNear(probability.S(0, 0), BruteForce(pack, box, lags, 0, 0, true));
   }
@@ -305,9 +308,9 @@ TEST(ExactPairSum, ALatticeOfTwoCellsIsTheSameMedium)
   }
   ruc::SortCanonically(four);
   const LagGrid lags = { 0.11, 30 };
-  const TwoPointProbability a = Measure(one, oracle::PeriodicCube(2.0), lags);
+  const TwoPointProbability a = ruc::SumPairs(one, oracle::PeriodicCube(2.0), lags);
   const TwoPointProbability b =
-    Measure(four, Window::MakeBox({ 0, 0, 0 }, { 4, 4, 2 }, { true, true, true }), lags);
+    ruc::SumPairs(four, Window::MakeBox({ 0, 0, 0 }, { 4, 4, 2 }, { true, true, true }), lags);
   ExpectNear(a.S(0, 0), b.S(0, 0), 1e-12); // fixed point and rounding; the tables are the same
   ExpectNear(a.S(1, 1), b.S(1, 1), 1e-12);
 }
@@ -319,7 +322,7 @@ TEST(ExactPairSum, RandomPackAgreesWithBruteForce)
   const SpherePack pack = oracle::RelaxedPack({ 10, 25, 30 }, { 1.0, 0.65, 0.4 }, box, 4);
   for (const LagGrid& lags : { LagGrid{ 0.05, 80 }, LagGrid{ 0.6, 12 } })
   {
-    const TwoPointProbability probability = Measure(pack, box, lags);
+    const TwoPointProbability probability = ruc::SumPairs(pack, box, lags);
     for (int r = 0; r < 3; ++r)
     {
       for (int s = r; s < 3; ++s)
@@ -334,7 +337,7 @@ TEST(ExactPairSum, SumsAndLimits)
 {
   const Window box = oracle::PeriodicCube(6.0);
   const SpherePack pack = oracle::RelaxedPack({ 10, 25, 30 }, { 1.0, 0.65, 0.4 }, box, 4);
-  const TwoPointProbability probability = Measure(pack, box, { 0.2, 120 });
+  const TwoPointProbability probability = ruc::SumPairs(pack, box, { 0.2, 120 });
   double fractions = 0.0;
   for (int r = 0; r < 4; ++r)
   {
@@ -370,7 +373,7 @@ TEST(ExactPairSum, FarAwayIsTheProductOfTheFractions)
   // closer still.
   const Window box = oracle::PeriodicCube(6.0);
   const SpherePack pack = oracle::RelaxedPack({ 10, 25 }, { 1.0, 0.65 }, box, 4);
-  const TwoPointProbability probability = Measure(pack, box, { 0.1, 240 });
+  const TwoPointProbability probability = ruc::SumPairs(pack, box, { 0.1, 240 });
   for (int r = 0; r < 3; ++r)
   {
     for (int s = r; s < 3; ++s)
@@ -401,7 +404,7 @@ TEST(ExactPairSum, SlopeAtZeroIsAQuarterOfTheSurface)
     surface += 4.0 * oracle::Pi * radius * radius / 216.0;
   }
   const double spacing = 0.01;
-  const TwoPointProbability probability = Measure(pack, box, { spacing, 3 });
+  const TwoPointProbability probability = ruc::SumPairs(pack, box, { spacing, 3 });
   const double slope = (probability.S(2, 2)[1] - probability.S(2, 2)[0]) / spacing;
   // S = c (1 - 3 r / 4 a + r^3 / 16 a^3): the quotient is off by r^2 / 12 a^2 of the slope
   EXPECT_NEAR(
@@ -413,7 +416,7 @@ TEST(ExactPairSum, AgreesWithRandomPointsAndDirections)
   const Window box = oracle::PeriodicCube(6.0);
   const SpherePack pack = oracle::RelaxedPack({ 12, 28 }, { 1.0, 0.65 }, box, 14);
   const LagGrid lags = { 0.7, 6 };
-  const TwoPointProbability probability = Measure(pack, box, lags);
+  const TwoPointProbability probability = ruc::SumPairs(pack, box, lags);
   const auto phaseAt = [&](const ruc::Vector3& p)
   {
     for (std::size_t i = 0; i < pack.Size(); ++i)
@@ -472,7 +475,7 @@ void ExpectUnbiased(const Window& window, std::uint64_t seed, bool distinct)
     pack = WithDistinctRadii(pack);
   }
   const LagGrid lags = { 0.5, 12 };
-  const TwoPointProbability exact = Measure(pack, box, lags);
+  const TwoPointProbability exact = ruc::SumPairs(pack, box, lags);
   constexpr int cuts = 40;
   oracle::Uniform random(seed);
   std::vector<TwoPointProbability> measured;
@@ -489,7 +492,7 @@ void ExpectUnbiased(const Window& window, std::uint64_t seed, bool distinct)
     ruc::WrapIntoBox(moved, box);
     moved = ruc::CropToWindow(moved, window);
     ruc::SortCanonically(moved);
-    measured.push_back(Measure(moved, window, lags));
+    measured.push_back(ruc::SumPairs(moved, window, lags));
   }
   for (int r = 0; r < 2; ++r)
   {
@@ -556,7 +559,7 @@ TEST(ExactPairSum, WindowAgreesWithTheSumOverItsPairs)
   SpherePack pack = oracle::RelaxedPack({ 250, 900 }, { 0.6, 0.35 }, oracle::PeriodicCube(12.0), 6);
   pack = ruc::CropToWindow(pack, window);
   const LagGrid lags = { 0.3, 14 };
-  const TwoPointProbability probability = Measure(pack, window, lags);
+  const TwoPointProbability probability = ruc::SumPairs(pack, window, lags);
   std::vector<std::vector<double>> expected(4, std::vector<double>(lags.Count + 1, 0.0));
   for (std::size_t i = 0; i < pack.Size(); ++i)
   {
@@ -590,19 +593,19 @@ TEST(ExactPairSum, TablesAndClosedFormAgree)
   const SpherePack pack = oracle::RelaxedPack({ 90, 250 }, { 0.9, 0.6 }, box, 8);
   const SpherePack distinct = WithDistinctRadii(pack);
   const LagGrid lags = { 0.15, 40 };
-  const TwoPointProbability tabulated = Measure(pack, box, lags),
-                            direct = Measure(distinct, box, lags);
-  // the two take different ways: the sums of few types are a histogram, those of many an array over
-  // the lags
-  EXPECT_NE(ExactPairSum(pack, box, lags).SumsSize(), ExactPairSum(distinct, box, lags).SumsSize());
+  const TwoPointProbability tabulated = ruc::SumPairs(pack, box, lags),
+                            direct = ruc::SumPairs(distinct, box, lags);
   for (int r = 0; r < 2; ++r)
   {
     for (int s = r; s < 2; ++s)
     {
       ExpectNear(direct.S(r, s), tabulated.S(r, s),
         TableError * std::min(direct.Fractions[r], direct.Fractions[s]));
-      // and the closed form is that of brute force, up to its fixed point
-      ExpectNear(direct.S(r, s), BruteForce(distinct, box, lags, r, s, false).Values, 1e-8);
+      // and the closed form is that of brute force, up to its fixed point; the tables are not, so
+      // the two take different ways
+      const std::vector<double> expected = BruteForce(distinct, box, lags, r, s, false).Values;
+      ExpectNear(direct.S(r, s), expected, FixedPointError);
+      EXPECT_GT(LargestDifference(tabulated.S(r, s), expected), FixedPointError);
     }
   }
 }
@@ -620,7 +623,7 @@ TEST(ExactPairSum, ManyRadiiInAWindowAgreeWithTheSumOverPairs)
   }
   ruc::SortCanonically(pack);
   const LagGrid lags = { 1.2, 6 };
-  const TwoPointProbability probability = Measure(pack, window, lags);
+  const TwoPointProbability probability = ruc::SumPairs(pack, window, lags);
   std::vector<std::vector<double>> expected(3, std::vector<double>(lags.Count + 1, 0.0));
   for (std::size_t i = 0; i < pack.Size(); ++i)
   {
@@ -660,8 +663,8 @@ TEST(ExactPairSum, OverlappingSpheresCountTwice)
   SpherePack pack = oracle::RandomPack({ 20, 300 }, { 1.0, 0.4 }, box, 9);
   ruc::SortCanonically(pack);
   const LagGrid lags = { 0.2, 15 };
-  const TwoPointProbability direct = Measure(WithDistinctRadii(pack), box, lags),
-                            tabulated = Measure(pack, box, lags);
+  const TwoPointProbability direct = ruc::SumPairs(WithDistinctRadii(pack), box, lags),
+                            tabulated = ruc::SumPairs(pack, box, lags);
   for (int r = 0; r < 2; ++r)
   {
     for (int s = r; s < 2; ++s)
@@ -675,57 +678,52 @@ TEST(ExactPairSum, OverlappingSpheresCountTwice)
 
 namespace
 {
-void ExpectIndependentOfPartition(const SpherePack& pack, const Window& window, const LagGrid& lags)
+void ExpectIndependentOfSharing(const SpherePack& pack, const Window& window, const LagGrid& lags)
 {
-  const ExactPairSum sum(pack, window, lags);
-  ASSERT_GT(sum.NumberOfChunks(), 4u);
   omp_set_num_threads(1);
-  std::vector<std::int64_t> whole(sum.SumsSize(), 0);
-  sum.AddChunks(0, 1, whole.data());
-  EXPECT_NE(whole, std::vector<std::int64_t>(sum.SumsSize(), 0));
-  const auto expected = sum.Result(whole).Values;
-  for (int parts : { 2, 3, 1000 }) // some of a thousand are empty
-  {
-    std::vector<std::int64_t> sums(sum.SumsSize(), 0);
-    for (int part = 0; part < parts; ++part)
-    {
-      sum.AddChunks(part, parts, sums.data());
-    }
-    EXPECT_TRUE(sum.Result(sums).Values == expected) << parts;
-  }
+  const auto expected = ruc::SumPairs(pack, window, lags).Values;
   for (int threads : { 2, 4 })
   {
     omp_set_num_threads(threads);
-    std::vector<std::int64_t> sums(sum.SumsSize(), 0);
-    sum.AddChunks(0, 1, sums.data());
-    EXPECT_TRUE(sum.Result(sums).Values == expected) << threads;
+    EXPECT_TRUE(ruc::SumPairs(pack, window, lags).Values == expected) << threads;
   }
   omp_set_num_threads(1);
+  for (int size : { 2, 3, 40 })
+  {
+    oracle::ThreadRanks::Run(size,
+      [&](ruc::Communicator& ranks)
+      {
+        // One hands out what all hold
+        const ruc::PackShare share =
+          ruc::SharePack(ranks.Rank() == 0 ? pack : SpherePack(), window, true, ranks);
+        EXPECT_TRUE(ruc::SumPairs(share, lags, ranks).Values == expected) << size;
+      });
+  }
 }
 }
 
-TEST(ExactPairSum, SumsDoNotDependOnChunksAndThreads)
+TEST(ExactPairSum, DoesNotDependOnRanksAndThreads)
 {
   const Window box = oracle::PeriodicCube(12.0);
   const SpherePack pack = oracle::RelaxedPack({ 90, 250 }, { 0.9, 0.6 }, box, 8);
   const Window open = Window::MakeBox({ 0, 0, 0 }, { 12, 12, 12 }, { false, false, false });
   for (const SpherePack& p : { pack, WithDistinctRadii(pack) })
   {
-    ExpectIndependentOfPartition(p, box, { 0.2, 20 });
-    ExpectIndependentOfPartition(p, open, { 0.2, 20 });
+    ExpectIndependentOfSharing(p, box, { 0.2, 20 });
+    ExpectIndependentOfSharing(p, open, { 0.2, 20 });
   }
 }
 
 TEST(ExactPairSum, ProgressRises)
 {
   const Window box = oracle::PeriodicCube(12.0);
-  const SpherePack pack = oracle::RelaxedPack({ 90, 250 }, { 0.9, 0.6 }, box, 8);
-  const ExactPairSum sum(pack, box, { 0.2, 20 });
-  std::vector<std::int64_t> sums(sum.SumsSize(), 0);
+  const ruc::PackShare share =
+    ruc::SharePack(oracle::RelaxedPack({ 90, 250 }, { 0.9, 0.6 }, box, 8), box);
+  ruc::Communicator serial;
   omp_set_num_threads(1);
   std::vector<double> told;
-  sum.AddChunks(0, 1, sums.data(), [&](double share) { told.push_back(share); });
-  ASSERT_EQ(told.size(), sum.NumberOfChunks());
+  ruc::SumPairs(share, { 0.2, 20 }, serial, [&](double done) { told.push_back(done); });
+  ASSERT_GT(told.size(), 4u);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_GE(told.front(), 0.0);
   EXPECT_LE(told.back(), 1.0);
@@ -736,18 +734,18 @@ TEST(ExactPairSum, LagsOutOfRange)
   const SpherePack pack = Lattice({ { 0.1, 0.1, 0.1 }, { 0.5, 0.5, 0.5 } }, 10.0, 1.0);
   const Window periodic = oracle::PeriodicCube(10.0);
   const Window open = Window::MakeBox({ 0, 0, 0 }, { 10, 12, 14 }, { false, false, false });
-  EXPECT_NO_THROW(ExactPairSum(pack, periodic, { 1.0, 40 }));
+  EXPECT_NO_THROW(ruc::SumPairs(pack, periodic, { 1.0, 40 }));
   EXPECT_SAYS(
-    ExactPairSum(pack, periodic, { 1.0, 41 }), "MaximumLag requires 0 < MaximumLag <= 40");
-  EXPECT_SAYS(ExactPairSum(pack, open, { 0.1, 80 }), "got 8");
-  EXPECT_SAYS(ExactPairSum(pack, open, { 0.0, 10 }), "MaximumLag requires");
-  EXPECT_SAYS(ExactPairSum(pack, open, { -0.1, 10 }), "MaximumLag requires");
-  EXPECT_SAYS(ExactPairSum(pack, open, { std::nan(""), 10 }), "MaximumLag requires");
-  EXPECT_SAYS(ExactPairSum(pack, open, { 0.1, 0 }),
+    ruc::SumPairs(pack, periodic, { 1.0, 41 }), "MaximumLag requires 0 < MaximumLag <= 40");
+  EXPECT_SAYS(ruc::SumPairs(pack, open, { 0.1, 80 }), "got 8");
+  EXPECT_SAYS(ruc::SumPairs(pack, open, { 0.0, 10 }), "MaximumLag requires");
+  EXPECT_SAYS(ruc::SumPairs(pack, open, { -0.1, 10 }), "MaximumLag requires");
+  EXPECT_SAYS(ruc::SumPairs(pack, open, { std::nan(""), 10 }), "MaximumLag requires");
+  EXPECT_SAYS(ruc::SumPairs(pack, open, { 0.1, 0 }),
     "NumberOfLags requires 1 <= NumberOfLags <= 100000, got 0");
-  EXPECT_SAYS(ExactPairSum(pack, open, { 1e-6, 100001 }), "NumberOfLags");
+  EXPECT_SAYS(ruc::SumPairs(pack, open, { 1e-6, 100001 }), "NumberOfLags");
   const SpherePack flat = Lattice({ { 0.1, 0.1, 0.1 }, { 0.5, 0.5, 0.15 } }, 10.0, 1.0);
-  EXPECT_SAYS(ExactPairSum(flat,
+  EXPECT_SAYS(ruc::SumPairs(flat,
                 Window::MakeBox({ 0, 0, 0 }, { 10, 10, 2 }, { false, false, false }), { 0.1, 1 }),
     "edges longer than the largest sphere's diameter");
 }
@@ -785,7 +783,7 @@ TEST(ExactPairSum, LargestLagIsStillExact)
           }
         }
       }
-      const TwoPointProbability probability = Measure(inside, window, lags);
+      const TwoPointProbability probability = ruc::SumPairs(inside, window, lags);
       SCOPED_TRACE(window.Describe() + ", share " + std::to_string(share));
       // ten times the tables' error: few pairs of large weight do not average it out
       ExpectNear(probability.S(0, 0), expected, 10.0 * TableError * probability.Fractions[0]);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Statistics/Sampling/ChordSampling.h"
 
-#include "Measure.h"
 #include "Oracles.h"
 #include "SampledComparison.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Window/Directions.h"
 
 #include <omp.h>
@@ -137,7 +137,7 @@ TEST(ChordSampling, AgreesWithTheExactSumOfAPeriodicPack)
   const SpherePack pack = oracle::RelaxedPack({ 12, 20 }, { 0.9, 0.5 }, box, 3);
   const LagGrid lags = { 0.25, 20 };
   const SampledTwoPoint sampled = Chords(pack, 2, SamplingRegion(box, 0.0), lags, 6400);
-  ExpectWithinErrors(sampled, Measure(pack, box, lags), 5.0);
+  ExpectWithinErrors(sampled, ruc::SumPairs(pack, box, lags), 5.0);
   EXPECT_NEAR(sampled.Samples, 6400.0, 640.0); // rows and columns of lines are whole numbers
   // Of the errors the sum over all pairs is what it is said to be.
   double total = 0.0;
@@ -160,7 +160,7 @@ TEST(ChordSampling, StandardErrorsCover)
   const Window box = oracle::PeriodicCube(4.0);
   const SpherePack pack = oracle::RelaxedPack({ 6, 12 }, { 0.8, 0.5 }, box, 4);
   const LagGrid lags = { 0.4, 4 };
-  const TwoPointProbability exact = Measure(pack, box, lags);
+  const TwoPointProbability exact = ruc::SumPairs(pack, box, lags);
   const SamplingRegion region(box, 0.0);
   const int pairs[][3] = { { 0, 0, 0 }, { 2, 2, 0 }, { 0, 1, 3 }, { 2, 2, 2 }, { 0, 2, 4 },
     { 1, 1, 1 } };
@@ -200,7 +200,7 @@ TEST(ChordSampling, RegionsOfAllKindsGiveTheSameInTheMean)
   const SpherePack pack = oracle::RelaxedPack({ 10, 20 }, { 0.9, 0.6 }, cube, 5);
   const SpherePack tiled = oracle::WithImages(pack, 6.0);
   const LagGrid lags = { 0.5, 4 };
-  const TwoPointProbability exact = Measure(pack, cube, lags);
+  const TwoPointProbability exact = ruc::SumPairs(pack, cube, lags);
   const auto check = [&](auto&& regionAt, auto&& packAt)
   {
     constexpr int places = 40;
@@ -360,7 +360,7 @@ TEST(ChordSampling, ReachesItsTargetError)
   EXPECT_LE(sampled.TotalError, 0.01);
   EXPECT_GT(sampled.TotalError, 0.008);
   // F2 against the exact sum is of the order of the total error, by its meaning
-  EXPECT_LT(ruc::TwoPointDifference(sampled.Mean, Measure(pack, box, lags)), 3.0 * 0.01);
+  EXPECT_LT(ruc::TwoPointDifference(sampled.Mean, ruc::SumPairs(pack, box, lags)), 3.0 * 0.01);
   EXPECT_SAYS(ruc::SampleChords(pack, 1, region, lags, { 1, 0, 1e-6 }, serial),
     "TargetError requires at least about");
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Statistics/Sampling/FanSampling.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/Results/LagLimit.h"
 
-#include "Measure.h"
 #include "Oracles.h"
 #include "SampledComparison.h"
 #include "ruc/Tracing/RayFan.h"
@@ -376,12 +376,12 @@ TEST(FanSampling, PointsFarApartAreIndependent)
   const std::vector<PhaseTriple> triples = ruc::ParseTriples("all", 2);
   const ThreePointProbability sampled =
     Fans(pack, 2, SamplingRegion(box, 0.0), grid, triples, { 5, 12800, true });
-  const ruc::TwoPointProbability near = Measure(pack, box, { lag, 1 });
+  const ruc::TwoPointProbability near = ruc::SumPairs(pack, box, { lag, 1 });
   const std::vector<double>& c = near.Fractions;
   for (int t = 1; t < grid.Angles(); ++t)
   {
     const double third = 2.0 * lag * std::sin(Pi * t / 6.0);
-    const ruc::TwoPointProbability far = Measure(pack, box, { third, 1 });
+    const ruc::TwoPointProbability far = ruc::SumPairs(pack, box, { third, 1 });
     const auto correlation = [&](const ruc::TwoPointProbability& pairs, int r, int s)
     { return std::abs(pairs.S(r, s)[1] / (c[r] * c[s]) - 1.0); };
     for (std::size_t n = 0; n < triples.size(); ++n)

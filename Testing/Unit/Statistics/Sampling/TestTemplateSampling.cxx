@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Statistics/Sampling/TemplateSampling.h"
 
-#include "Measure.h"
 #include "Oracles.h"
 #include "SampledComparison.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
 
 namespace
@@ -24,7 +24,7 @@ TEST(TemplateSampling, AgreesWithTheExactSumOfAPeriodicPack)
   ruc::Communicator serial;
   const SampledTwoPoint sampled =
     ruc::SampleTemplate(pack, 2, SamplingRegion(box, 0.0), lags, { 1, 3200, 0.0 }, serial);
-  ExpectWithinErrors(sampled, Measure(pack, box, lags), 5.0);
+  ExpectWithinErrors(sampled, ruc::SumPairs(pack, box, lags), 5.0);
   EXPECT_EQ(sampled.Samples, 3200);
   // Its throws know a fraction by the centre alone: the standard error is that of a toss of coins,
   // itself uncertain by 1 / sqrt(2 x 100 batches).
@@ -75,7 +75,7 @@ TEST(TemplateSampling, StandardErrorsCover)
   const Window box = oracle::PeriodicCube(4.0);
   const SpherePack pack = oracle::RelaxedPack({ 6, 12 }, { 0.8, 0.5 }, box, 4);
   const LagGrid lags = { 0.8, 2 };
-  const ruc::TwoPointProbability exact = Measure(pack, box, lags);
+  const ruc::TwoPointProbability exact = ruc::SumPairs(pack, box, lags);
   const SamplingRegion region(box, 0.0);
   ruc::Communicator serial;
   int within[2] = {};

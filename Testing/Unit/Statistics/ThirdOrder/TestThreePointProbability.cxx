@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Statistics/ThirdOrder/ThreePointProbability.h"
 
-#include "Measure.h"
 #include "Oracles.h"
 #include "SampledComparison.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/Sampling/FanSampling.h"
 
 #include <limits>
@@ -393,7 +393,7 @@ TEST(ThreePointProbability, AgreesWithTheExactPairSum)
 {
   // Where it is S_rs: at r2 = 0, and summed over q at any r2 and angle. 9 pairs at 6 lags.
   const Periodic& medium = PeriodicMedium();
-  const TwoPointProbability exact = Measure(medium.Pack, medium.Box, medium.Grid.Lags);
+  const TwoPointProbability exact = ruc::SumPairs(medium.Pack, medium.Box, medium.Grid.Lags);
   for (int r = 0; r < 3; ++r)
   {
     for (int s = 0; s < 3; ++s)
@@ -507,7 +507,7 @@ TEST(ThreePointProbability, MatrixFromExactPairsAndSampledSpheres)
   const AllTriples& all = medium.All;
   const auto pairs = [&](double r)
   {
-    const TwoPointProbability exact = Measure(medium.Pack, medium.Box, { r, 1 });
+    const TwoPointProbability exact = ruc::SumPairs(medium.Pack, medium.Box, { r, 1 });
     return exact.S(0, 0)[1] + 2.0 * exact.S(0, 1)[1] + exact.S(1, 1)[1];
   };
   double spheres = 0.0;
