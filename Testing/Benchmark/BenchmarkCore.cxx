@@ -52,21 +52,9 @@ ruc::SpherePack ReadPack()
 double CountedPairs(const ruc::SpherePack& pack)
 {
   const ruc::CellList cells(pack, Block, Lags.Maximum() + 2.0 * pack.LargestRadius());
-  std::vector<ruc::CellList::Range> ranges;
   double pairs = 0.0;
-  for (std::size_t i = 0; i < cells.Size(); ++i)
-  {
-    cells.FindRanges(i, ranges);
-    for (const auto& range : ranges)
-    {
-      for (std::size_t j = range.Begin; j < range.End; ++j)
-      {
-        const double dx = cells.X[j] - range.X, dy = cells.Y[j] - range.Y,
-                     dz = cells.Z[j] - range.Z;
-        pairs += dx * dx + dy * dy + dz * dz < cells.GetCutoff() * cells.GetCutoff();
-      }
-    }
-  }
+  cells.ForEachPair(
+    [&](std::size_t, std::size_t, double, double, double, double) { pairs += 1.0; });
   return pairs;
 }
 

@@ -419,25 +419,15 @@ std::vector<bool> FindPeriodicCopies(const SpherePack& pack, const Window& box)
   WrapIntoBox(wrapped, box);
   const CellList cells(
     wrapped, box, tolerance * *std::max_element(box.Size.begin(), box.Size.end()));
-  std::vector<CellList::Range> ranges;
-  for (std::size_t i = 0; i < cells.Size(); ++i)
-  {
-    cells.FindRanges(i, ranges);
-    for (const CellList::Range& range : ranges)
+  cells.ForEachPair(
+    [&](std::size_t p, std::size_t q, double, double, double, double)
     {
-      for (std::size_t j = range.Begin; j < range.End; ++j)
+      if (outside[p] != outside[q] &&
+        std::abs(pack.Radius[p] - pack.Radius[q]) <= tolerance * pack.Radius[p])
       {
-        const double distance =
-          std::hypot(cells.X[j] - range.X, cells.Y[j] - range.Y, cells.Z[j] - range.Z);
-        const std::size_t p = cells.Index[i], q = cells.Index[j];
-        if (outside[p] != outside[q] && distance < cells.GetCutoff() &&
-          std::abs(pack.Radius[p] - pack.Radius[q]) <= tolerance * pack.Radius[p])
-        {
-          copy[outside[p] ? p : q] = true;
-        }
+        copy[outside[p] ? p : q] = true;
       }
-    }
-  }
+    });
   return copy;
 }
 }

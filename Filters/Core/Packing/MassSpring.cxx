@@ -134,29 +134,19 @@ private:
     this->Springs.clear();
     const SpherePack pack = this->Wrapped();
     const CellList cells(pack, this->Box, Rest * 2.0 * pack.LargestRadius() + this->Skin);
-    std::vector<CellList::Range> ranges;
-    for (std::size_t i = 0; i < cells.Size(); ++i)
-    {
-      cells.FindRanges(i, ranges);
-      for (const CellList::Range& range : ranges)
+    cells.ForEachPair(
+      [&](std::uint32_t p, std::uint32_t q, double dx, double dy, double dz, double d2)
       {
-        for (std::size_t j = range.Begin; j < range.End; ++j)
+        const double contact = pack.Radius[p] + pack.Radius[q];
+        const double reach = Rest * contact + this->Skin;
+        if (d2 < reach * reach)
         {
-          const double dx = cells.X[j] - range.X, dy = cells.Y[j] - range.Y,
-                       dz = cells.Z[j] - range.Z;
-          const std::uint32_t p = cells.Index[i], q = cells.Index[j];
-          const double contact = pack.Radius[p] + pack.Radius[q];
-          const double reach = Rest * contact + this->Skin;
-          if (dx * dx + dy * dy + dz * dz < reach * reach)
-          {
-            const double* a = &this->Centres[3 * std::size_t(p)];
-            const double* b = &this->Centres[3 * std::size_t(q)];
-            this->Springs.push_back(
-              { p, q, contact, { dx - (b[0] - a[0]), dy - (b[1] - a[1]), dz - (b[2] - a[2]) } });
-          }
+          const double* a = &this->Centres[3 * std::size_t(p)];
+          const double* b = &this->Centres[3 * std::size_t(q)];
+          this->Springs.push_back(
+            { p, q, contact, { dx - (b[0] - a[0]), dy - (b[1] - a[1]), dz - (b[2] - a[2]) } });
         }
-      }
-    }
+      });
   }
 
   const SpherePack& Pack;

@@ -50,6 +50,14 @@ public:
   void FindRanges(std::size_t i, std::vector<Range>& ranges) const;
 
   /**
+   * Calls visit(i, j, dx, dy, dz, d2) for every pair of a centre and an image of a centre closer
+   * than the cut-off, once: i and j are their places in the pack, (dx, dy, dz) leads from i to the
+   * image of j, and d2 is its square. Loops that take whole ranges at a time use FindRanges.
+   */
+  template <class Visit>
+  void ForEachPair(Visit&& visit) const;
+
+  /**
    * The places of all centres closer to a point than the cut-off, and of others: for lists without
    * periodic axes. The ranges' X, Y, Z are the point's.
    */
@@ -90,6 +98,30 @@ private:
   Axis Axes[3];
   std::vector<std::size_t> CellBegin; // first sorted place of each cell, and the end
 };
+
+template <class Visit>
+void CellList::ForEachPair(Visit&& visit) const
+{
+  const double cutoff2 = this->Cutoff * this->Cutoff;
+  std::vector<Range> ranges;
+  for (std::size_t i = 0; i < this->Size(); ++i)
+  {
+    this->FindRanges(i, ranges);
+    for (const Range& range : ranges)
+    {
+      for (std::size_t j = range.Begin; j < range.End; ++j)
+      {
+        const double dx = this->X[j] - range.X, dy = this->Y[j] - range.Y,
+                     dz = this->Z[j] - range.Z;
+        const double d2 = dx * dx + dy * dy + dz * dz;
+        if (d2 < cutoff2)
+        {
+          visit(this->Index[i], this->Index[j], dx, dy, dz, d2);
+        }
+      }
+    }
+  }
+}
 
 template <class Visit>
 void CellList::ForEachNearDisc(

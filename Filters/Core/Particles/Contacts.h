@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace ruc
 {
@@ -20,25 +19,14 @@ template <class Visit>
 void ForEachContact(const SpherePack& pack, const Window& window, double reach, Visit&& visit)
 {
   const CellList cells(pack, window, 2.0 * reach * pack.LargestRadius());
-  std::vector<CellList::Range> ranges;
-  for (std::size_t i = 0; i < cells.Size(); ++i)
-  {
-    cells.FindRanges(i, ranges);
-    for (const CellList::Range& range : ranges)
+  cells.ForEachPair(
+    [&](std::size_t i, std::size_t j, double dx, double dy, double dz, double d2)
     {
-      for (std::size_t j = range.Begin; j < range.End; ++j)
+      const double contact = reach * (pack.Radius[i] + pack.Radius[j]);
+      if (d2 < contact * contact)
       {
-        const double dx = cells.X[j] - range.X, dy = cells.Y[j] - range.Y,
-                     dz = cells.Z[j] - range.Z;
-        const double d2 = dx * dx + dy * dy + dz * dz;
-        const std::size_t p = cells.Index[i], q = cells.Index[j];
-        const double contact = reach * (pack.Radius[p] + pack.Radius[q]);
-        if (d2 < contact * contact)
-        {
-          visit(p, q, dx, dy, dz, std::sqrt(d2));
-        }
+        visit(i, j, dx, dy, dz, std::sqrt(d2));
       }
-    }
-  }
+    });
 }
 }

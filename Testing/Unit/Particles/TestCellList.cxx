@@ -16,39 +16,29 @@ std::map<Pair, int> PairsOfCells(const ruc::SpherePack& pack, const ruc::Window&
   std::map<Pair, int> pairs;
   const ruc::CellList cells(pack, box, cutoff);
   EXPECT_EQ(cells.Size(), pack.Size());
-  std::vector<ruc::CellList::Range> ranges;
   for (std::size_t place = 0; place < cells.Size(); ++place)
   {
     EXPECT_EQ(cells.X[place], pack.X[cells.Index[place]]);
-    cells.FindRanges(place, ranges);
-    for (const ruc::CellList::Range& range : ranges)
-    {
-      for (std::size_t other = range.Begin; other < range.End; ++other)
-      {
-        const double d = std::sqrt(std::pow(cells.X[other] - range.X, 2) +
-          std::pow(cells.Y[other] - range.Y, 2) + std::pow(cells.Z[other] - range.Z, 2));
-        if (!(d < cutoff))
-        {
-          continue;
-        }
-        std::size_t i = cells.Index[place], j = cells.Index[other];
-        const auto edges = [&](double shift, int q)
-        { return static_cast<int>(std::lround(shift / box.Size[q])); };
-        std::array<int, 3> image = { 0, 0, 0 };
-        if (box.GetShape() == ruc::Window::Shape::Box)
-        {
-          image = { edges(cells.X[place] - range.X, 0), edges(cells.Y[place] - range.Y, 1),
-            edges(cells.Z[place] - range.Z, 2) };
-        }
-        if (i > j || (i == j && image < std::array<int, 3>{ 0, 0, 0 }))
-        {
-          std::swap(i, j);
-          image = { -image[0], -image[1], -image[2] };
-        }
-        ++pairs[{ i, j, image }];
-      }
-    }
   }
+  cells.ForEachPair(
+    [&](std::size_t i, std::size_t j, double dx, double dy, double dz, double d2)
+    {
+      EXPECT_EQ(d2, dx * dx + dy * dy + dz * dz);
+      EXPECT_LT(std::sqrt(d2), cutoff);
+      const double d[3] = { dx, dy, dz };
+      std::array<int, 3> image = { 0, 0, 0 };
+      for (int q = 0; q < 3 && box.GetShape() == ruc::Window::Shape::Box; ++q)
+      {
+        const double shift = d[q] - (pack.Centre(j)[q] - pack.Centre(i)[q]);
+        image[q] = static_cast<int>(std::lround(shift / box.Size[q]));
+      }
+      if (i > j || (i == j && image < std::array<int, 3>{ 0, 0, 0 }))
+      {
+        std::swap(i, j);
+        image = { -image[0], -image[1], -image[2] };
+      }
+      ++pairs[{ i, j, image }];
+    });
   return pairs;
 }
 
