@@ -2,25 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ruc/Images/VoxelMask.h"
 #include "ruc/Statistics/Results/LagGrid.h"
 #include "ruc/Statistics/Sampling/SampledSums.h"
+#include "ruc/Tracing/PhaseChanges.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace ruc
 {
-/**
- * A position along a line at which it passes from one phase into another; phases are counted from
- * 0, the matrix is N_p, and N_p + 1 stands for points outside the region.
- */
-struct PhaseChange
-{
-  double Position;
-  int Before, After;
-};
-
 /**
  * Chord-length functions of every phase (modes from 0, the matrix last), at the lags r_k. A chord
  * is a longest interval of a line in one phase. L is the length of the lines in the region, pooled.

@@ -4,7 +4,7 @@
 
 #include "ruc/Base/Text.h"
 #include "ruc/Statistics/Results/LagLimit.h"
-#include "ruc/Statistics/Sampling/ChordSampling.h"
+#include "ruc/Tracing/PhaseChanges.h"
 #include "ruc/Tracing/RayFan.h"
 
 #include <algorithm>

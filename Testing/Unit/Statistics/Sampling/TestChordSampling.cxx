@@ -13,7 +13,6 @@ namespace
 {
 using oracle::Pi;
 using ruc::LagGrid;
-using ruc::PhaseChange;
 using ruc::SampledTwoPoint;
 using ruc::SamplingRegion;
 using ruc::SpherePack;
@@ -26,108 +25,6 @@ SampledTwoPoint Chords(const SpherePack& pack, int modes, const SamplingRegion& 
   ruc::Communicator serial;
   return ruc::SampleChords(pack, modes, region, lags, { seed, lines, 0.0 }, serial);
 }
-
-struct PhaseInterval
-{
-  double Begin, End;
-  int Phase;
-};
-
-// Intervals of phases that follow on one another, with gaps outside the region
-std::vector<PhaseChange> ChangesOf(const std::vector<PhaseInterval>& intervals, int outside)
-{
-  std::vector<PhaseChange> changes;
-  for (std::size_t n = 0; n < intervals.size(); ++n)
-  {
-    const bool follows = n > 0 && intervals[n].Begin == intervals[n - 1].End;
-    if (n > 0 && !follows)
-    {
-      changes.push_back({ intervals[n - 1].End, intervals[n - 1].Phase, outside });
-    }
-    changes.push_back(
-      { intervals[n].Begin, follows ? intervals[n - 1].Phase : outside, intervals[n].Phase });
-  }
-  changes.push_back({ intervals.back().End, intervals.back().Phase, outside });
-  return changes;
-}
-}
-
-TEST(LineCorrelation, IsTheOverlapOfDisplacedIntervals)
-{
-  // Two modes and the matrix; two stretches of the region; lengths both on lags and between them
-  const std::vector<PhaseInterval> intervals = { { 0.3, 1.0, 2 }, { 1.0, 1.75, 0 },
-    { 1.75, 2.1, 2 }, { 2.1, 2.85, 1 }, { 2.85, 3.3, 0 }, { 4.05, 4.8, 0 }, { 4.8, 6.3, 2 } };
-  for (const LagGrid& lags : { LagGrid{ 0.25, 30 }, LagGrid{ 0.11, 13 }, LagGrid{ 10.0, 1 } })
-  {
-    ruc::LineCorrelation correlation(2, lags);
-    correlation.AddLine(ChangesOf({ { 0.0, 9.0, 1 } }, 3));
-    correlation.Finish();
-    correlation.Clear();
-    for (int lines : { 1, 2 })
-    {
-      correlation.AddLine(ChangesOf(intervals, 3));
-      correlation.AddLine(ChangesOf(intervals, 3));
-      const std::vector<const double*> rows = correlation.Finish();
-      for (int r = 0; r < 3; ++r)
-      {
-        for (int s = 0; s < 3; ++s)
-        {
-          for (int k = 0; k <= lags.Count; ++k)
-          {
-            double expected = 0.0;
-            for (const PhaseInterval& a : intervals)
-            {
-              for (const PhaseInterval& b : intervals)
-              {
-                const double shift = k * lags.Spacing;
-                expected += (a.Phase == r && b.Phase == s) *
-                  std::max(
-                    std::min(a.End + shift, b.End) - std::max(a.Begin + shift, b.Begin), 0.0);
-              }
-            }
-            const double* row = rows[3 * r + s];
-            EXPECT_NEAR(row ? row[k] : 0.0, 2.0 * expected, 1e-12)
-              << r << " " << s << " " << k << " " << lines;
-          }
-        }
-      }
-      correlation.Clear();
-    }
-  }
-}
-
-TEST(PhaseChanges, TheUnionCountsOnceAndTheLowestModeWins)
-{
-  const auto changesOf =
-    [](std::vector<ruc::SphereHit> hits, const std::vector<ruc::LineInterval>& inside)
-  {
-    std::vector<PhaseChange> changes;
-    ruc::FindPhaseChanges(hits, inside, 3, changes);
-    std::vector<std::array<double, 3>> plain;
-    for (const PhaseChange& c : changes)
-    {
-      plain.push_back({ c.Position, double(c.Before), double(c.After) });
-    }
-    return plain;
-  };
-  using Plain = std::vector<std::array<double, 3>>;
-  EXPECT_EQ(changesOf({}, { { 0, 1 }, { 2, 3 } }),
-    (Plain{ { 0, 4, 3 }, { 1, 3, 4 }, { 2, 4, 3 }, { 3, 3, 4 } }));
-  // Two of one mode overlap, and one holds another
-  EXPECT_EQ(changesOf({ { 3, 5, 1 }, { 1, 4, 1 }, { 2, 3, 1 } }, { { 0, 9 } }),
-    (Plain{ { 0, 4, 3 }, { 1, 3, 1 }, { 5, 1, 3 }, { 9, 3, 4 } }));
-  // A lower mode inside a higher one, a higher one cut by a lower one
-  EXPECT_EQ(changesOf({ { 1, 6, 2 }, { 2, 3, 0 }, { 5, 7, 1 }, { 6.5, 8, 2 } }, { { 0, 9 } }),
-    (Plain{ { 0, 4, 3 }, { 1, 3, 2 }, { 2, 2, 0 }, { 3, 0, 2 }, { 5, 2, 1 }, { 7, 1, 2 },
-      { 8, 2, 3 }, { 9, 3, 4 } }));
-  // Cut at both ends and by the gap; one lies in the gap; two touch
-  EXPECT_EQ(changesOf({ { -1, 1, 0 }, { 3, 6, 1 }, { 4.2, 4.8, 0 }, { 6, 7, 2 }, { 8, 20, 0 } },
-              { { 0, 4 }, { 5, 9 } }),
-    (Plain{ { 0, 4, 0 }, { 1, 0, 3 }, { 3, 3, 1 }, { 4, 1, 4 }, { 5, 4, 1 }, { 6, 1, 2 },
-      { 7, 2, 3 }, { 8, 3, 0 }, { 9, 0, 4 } }));
-  // Two begin in one point
-  EXPECT_EQ(changesOf({ { 1, 2, 1 }, { 1, 3, 2 }, { 1, 2, 1 } }, { { 1, 3 } }),
-    (Plain{ { 1, 4, 1 }, { 2, 1, 2 }, { 3, 2, 4 } }));
 }
 
 TEST(ChordSampling, AgreesWithTheExactSumOfAPeriodicPack)
