@@ -114,6 +114,8 @@ def two_point(name, pack, **settings):
     outputs = {0: 'two-point', 1: 'two-point checks', 2: 'gradients'}
     if settings.get('Autocovariance'):
         outputs[3 if SPLIT else 8] = 'autocovariance'
+    if SPLIT:  # always there
+        settings.pop('Autocovariance', None)
     return collect(name, TwoPointProbability(Input=pack, **settings), outputs)
 
 
@@ -123,6 +125,8 @@ def directions(name, pack, **settings):
 
 
 def phase_map(name, pack, pairs, resolution, spacing=0.0, **settings):
+    if SPLIT:  # has no lags but the last
+        settings.pop('NumberOfLags', None)
     source = (ProbabilityMap(Input=pack, PhasePairs=pairs, Resolution=resolution, Spacing=spacing, **settings) if SPLIT else
               TwoPointProbability(Input=pack, ImagePairs=pairs, ImageResolution=resolution, ImageSpacing=spacing, **settings))
     return collect(name, source, {0 if SPLIT else 3: 'map'})
