@@ -11,6 +11,7 @@
 #include "TwoPointTables.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Particles/PackOverlap.h"
+#include "ruc/Statistics/Results/OnePointProbability.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
 #include "ruc/Window/Directions.h"
 
@@ -74,7 +75,8 @@ void vtkRUCDirectionalProbability::Execute(
   }
 
   const double overlap = ruc::MeasureOverlap(share, ranks).Percent;
-  const std::vector<double> fractions = ruc::MeanOverDirections(directional).Fractions;
+  const std::vector<double> fractions =
+    exact ? ruc::OnePointProbability(share) : ruc::MeanOverDirections(directional).Fractions;
   OutputSummary::ForEachOutput(outputs,
     [&](vtkDataObject* data)
     {
