@@ -41,6 +41,25 @@ inline ruc::SpherePack MakePack(
   return pack;
 }
 
+/** Edge of the packs below, cubes with 600 spheres. */
+constexpr double Edge = 12.0;
+
+/** Three sizes of spheres, in as many modes. */
+inline const ruc::SpherePack& FewSizes()
+{
+  static const ruc::SpherePack pack =
+    MakePack(Edge, [](int i) { return std::make_pair(0.4 + 0.1 * (i % 3), 1 + i % 3); });
+  return pack;
+}
+
+/** More distinct radii than the tables of the pair sum take, which is then made pair by pair. */
+inline const ruc::SpherePack& ManySizes()
+{
+  static const ruc::SpherePack pack =
+    MakePack(Edge, [](int i) { return std::make_pair(0.4 + 0.0004 * i, 1 + i / 300); });
+  return pack;
+}
+
 /** Those spheres of a pack for which `keep(i)`, with its box as field data. */
 inline vtkSmartPointer<vtkPolyData> MakePolyData(const ruc::SpherePack& pack, double edge,
   bool periodic, const std::function<bool(std::size_t)>& keep)

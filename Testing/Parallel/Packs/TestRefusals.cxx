@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Bad input of the filters that make packs from packs
+#include "Refusals.h"
+
+#include "vtkRUCParticleModes.h"
+#include "vtkRUCPeriodicReplicas.h"
+
+using Modes = vtkRUCParticleModes;
+using Replicas = vtkRUCPeriodicReplicas;
+
+TEST(ParticleModesRefusals, NoPoints)
+{
+  RefusesPack<Modes>({ "Particle Modes", "no points" }, [](auto& p) { p = {}; });
+}
+
+TEST(ParticleModesRefusals, NoModesWanted)
+{
+  RefusesSettings<Modes>({ "Particle Modes", "NumberOfModes requires", "got 0" },
+    [](Modes* f) { f->SetNumberOfModes(0); });
+}
+
+TEST(ParticleModesRefusals, EdgesThatLeaveSpheresOut)
+{
+  RefusesSettings<Modes>({ "Particle Modes", "Edges requires every diameter" },
+    [](Modes* f)
+    {
+      f->SetMethod(Modes::EXPLICIT_EDGES);
+      f->SetEdge(0, 0.9);
+      f->SetEdge(1, 2.0);
+    });
+}
+
+TEST(ParticleModesRefusals, NothingLeft)
+{
+  RefusesSettings<Modes>({ "Particle Modes", "MinimumDiameter requires", "got 50" },
+    [](Modes* f) { f->SetMinimumDiameter(50.0); });
+}
+
+TEST(PeriodicReplicasRefusals, NoPoints)
+{
+  RefusesPack<Replicas>({ "Periodic Replicas", "no points" }, [](auto& p) { p = {}; });
+}
+
+TEST(PeriodicReplicasRefusals, NoTiles)
+{
+  RefusesSettings<Replicas>({ "Periodic Replicas", "Tiles requires", "got 0 1 1" },
+    [](Replicas* f)
+    {
+      f->SetMode(Replicas::TILING);
+      f->SetTiles(0, 1, 1);
+    });
+}

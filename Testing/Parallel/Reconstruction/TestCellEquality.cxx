@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells are the same on any number of ranks and threads
+#include "Equality.h"
+
+#include "vtkRUCUnitCellReconstruction.h"
+
+#include <omp.h>
+
+using Cell = vtkRUCUnitCellReconstruction;
+
+namespace
+{
+class CellEquality : public EveryPack
+{
+};
+INSTANTIATE_EVERY_PACK(CellEquality);
+
+void SmallCell(Cell* f)
+{
+  f->SetNumberOfLags(40);
+  f->SetNumberOfParticles(60);
+  f->SetMaximumIterations(120);
+}
+
+// Three cells in as many groups of ranks as there are; once is enough of what the pack has to do
+// with it
+class MethodEquality : public EveryPack
+{
+protected:
+  void ExpectSameCells(int method)
+  {
+    ExpectSame<Cell>(
+      [=](auto* f)
+      {
+        f->SetMethod(method);
+        f->SetNumberOfCells(3);
+        f->SetNumberOfLags(20);
+        f->SetNumberOfParticles(40);
+        f->SetMaximumIterations(20);
+        f->SetMaximumGenerations(4);
+        f->SetPopulation(7);
+        f->SetMatingPool(5);
+        f->SetHybridPopulation(5);
+        f->SetHybridMatingPool(3);
+        f->SetRefinementSteps(4);
+      });
+  }
+};
+INSTANTIATE_TEST_SUITE_P(FewSizesPeriodic, MethodEquality, testing::Values(std::tuple(true, true)));
+}
+
+TEST_P(CellEquality, OneCell)
+{
+  ExpectSame<Cell>(SmallCell);
+}
+
+TEST_P(MethodEquality, Gradient)
+{
+  this->ExpectSameCells(0);
+}
+
+TEST_P(MethodEquality, AnnealedPopulation)
+{
+  this->ExpectSameCells(1);
+}
+
+TEST_P(MethodEquality, Hybrid)
+{
+  this->ExpectSameCells(2);
+}
+
+TEST(ThreadEquality, OneCell)
+{
+  const int threadsBefore = omp_get_max_threads();
+  const auto whole = MakePolyData(FewSizes(), Edge, true, [](std::size_t) { return true; });
+  std::vector<double> first;
+  for (int threads : { 1, 2, 3 })
+  {
+    omp_set_num_threads(threads);
+    vtkNew<Cell> cell;
+    cell->SetController(nullptr);
+    SmallCell(cell);
+    cell->SetInputData(whole);
+    cell->Update();
+    const std::vector<double> numbers = Numbers(cell->GetOutputDataObject(0));
+    first = first.empty() ? numbers : first;
+    EXPECT_EQ(numbers, first) << threads << " threads";
+  }
+  omp_set_num_threads(threadsBefore);
+}

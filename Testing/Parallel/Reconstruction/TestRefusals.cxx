@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Packs and settings of which no cell is made
+#include "Refusals.h"
+
+#include "vtkRUCUnitCellReconstruction.h"
+
+using Cell = vtkRUCUnitCellReconstruction;
+
+namespace
+{
+const std::string Name = "Unit Cell Reconstruction";
+}
+
+TEST(CellRefusals, NoSphereOfAModeInTheCell)
+{
+  Refuses<Cell>({ Name, "at least one sphere of every mode", "mode 1", "CellSize" },
+    { [](ruc::SpherePack& p)
+      {
+        for (std::size_t i = 1; i < p.Size(); ++i)
+        {
+          p.Mode[i] = 2 + i % 2;
+        }
+        p.Mode[0] = 1;
+      },
+      {}, [](Cell* f) { f->SetNumberOfParticles(20); } });
+}
+
+TEST(CellRefusals, NoLags)
+{
+  RefusesSettings<Cell>(
+    { Name, "NumberOfLags requires", "got 0" }, [](Cell* f) { f->SetNumberOfLags(0); });
+}
+
+TEST(CellRefusals, NegativeCell)
+{
+  RefusesSettings<Cell>(
+    { Name, "CellSize requires", "got -2" }, [](Cell* f) { f->SetCellSize(-2.0); });
+}
+
+TEST(CellRefusals, LagBeyondThePack)
+{
+  RefusesSettings<Cell>(
+    { Name, "MaximumLag requires", "got 11.9" }, [](Cell* f) { f->SetMaximumLag(11.9); }, false);
+}
+
+TEST(CellRefusals, NegativeIterations)
+{
+  RefusesSettings<Cell>(
+    { Name, "MaximumIterations requires", "got -1" }, [](Cell* f) { f->SetMaximumIterations(-1); });
+}
