@@ -188,16 +188,15 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
   }
   if (!(spacing > 0.0 && std::isfinite(spacing)))
   {
-    throw std::invalid_argument(
-      Text("Spacing requires a finite number > 0, got ", spacing, "."));
+    throw std::invalid_argument(Text("Spacing requires a finite number > 0, got ", spacing, "."));
   }
   LagLimit::ForMap(share.Observed, share.LargestRadius).Check(reach);
   const double most = std::floor(0.5 * (std::cbrt(MostNumbers / pairs.size()) - 1.0));
   const double half = std::floor(reach / spacing * (1.0 + 1e-12));
   if (half > most)
   {
-    throw std::invalid_argument(Text("Resolution requires at most ", most, " for ",
-      pairs.size(), " pairs of phases, got ", half, "."));
+    throw std::invalid_argument(Text("Resolution requires at most ", most, " for ", pairs.size(),
+      " pairs of phases, got ", half, "."));
   }
 }
 }
