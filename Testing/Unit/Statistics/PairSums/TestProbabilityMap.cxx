@@ -219,12 +219,11 @@ TEST(ProbabilityMap, BadInputIsRefused)
   EXPECT_SAYS(Map(pack, box, { { -1, 0 } }, 0.5, 2.0), "got -1");
   EXPECT_SAYS(Map(pack, box, AllPairs, 0.0, 2.0), "Spacing requires a finite number > 0");
   EXPECT_SAYS(Map(pack, box, AllPairs, std::nan(""), 2.0), "Spacing requires");
-  EXPECT_SAYS(Map(pack, box, AllPairs, 0.5, 0.0),
-    "Spacing x Resolution requires a length > 0 and <= 8.1918");
-  EXPECT_SAYS(Map(pack, box, AllPairs, 0.5, 8.2),
-    "Spacing x Resolution requires a length > 0 and <= 8.1918");
   EXPECT_SAYS(
-    Map(pack, box, AllPairs, 0.5, std::nan("")), "Spacing x Resolution requires");
+    Map(pack, box, AllPairs, 0.5, 0.0), "Spacing x Resolution requires a length > 0 and <= 8.1918");
+  EXPECT_SAYS(
+    Map(pack, box, AllPairs, 0.5, 8.2), "Spacing x Resolution requires a length > 0 and <= 8.1918");
+  EXPECT_SAYS(Map(pack, box, AllPairs, 0.5, std::nan("")), "Spacing x Resolution requires");
   EXPECT_SAYS(Map(pack, box, { { 2, 2 } }, 0.01, 2.0),
     "Resolution requires at most 183 for 1 pairs of phases");
   EXPECT_SAYS(Map(pack, box, { { 2, 2 } }, 1e-300, 2.0),
