@@ -15,6 +15,8 @@
 
 namespace
 {
+volatile bool Converged = false;
+
 ruc::DescentState SomeDescent()
 {
   ruc::DescentState descent;
@@ -75,9 +77,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   }
   try
   {
-    // Written again, so that every value is looked at
-    population ? ruc::WriteCheckpoint(ruc::ReadPopulationCheckpoint(checkpoint, key), key)
-               : ruc::WriteCheckpoint(ruc::ReadGradientCheckpoint(checkpoint, key), key);
+    // Written again, so that every value is looked at; a truth value is only looked at where it is
+    // asked
+    if (population)
+    {
+      ruc::WriteCheckpoint(ruc::ReadPopulationCheckpoint(checkpoint, key), key);
+    }
+    else
+    {
+      const ruc::GradientState state = ruc::ReadGradientCheckpoint(checkpoint, key);
+      Converged = state.Converged;
+      ruc::WriteCheckpoint(state, key);
+    }
   }
   catch (const std::invalid_argument&)
   {
