@@ -24,7 +24,7 @@ LENGTHS = [0, 1, 2, 9, 30, 5000]  # of lists
 # What keeps a good case at milliseconds. A property that is not named here and is a larger whole number than 50 is set to 10.
 SMALL = {'NumberOfLines': [200], 'NumberOfThrows': [200], 'MaximumIterations': [2], 'MaximumGenerations': [2], 'Population': [8], 'MatingPool': [4],
          'HybridPopulation': [8], 'HybridMatingPool': [4], 'RefinementSteps': [2], 'NumberOfParticles': [20], 'CheckpointInterval': [0.0],
-         'ImageResolution': [4], 'SurfaceResolution': [8]}
+         'Resolution': [4], 'SurfaceResolution': [8]}
 
 
 def small(settings):
@@ -95,14 +95,16 @@ def pair(description, chance):
 
 
 def campaign(description, seed):
-    """All cases in an order that is the seed's: first every data set with every proxy, then the rest of the single ones, then pairs for ever."""
+    """All cases in an order that is the seed's: first every data set and every property of every proxy, then the other single ones, and pairs
+    for ever."""
     chance = random.Random(seed)
     single = list(data_cases(description)) + list(property_cases(description))
     chance.shuffle(single)
     seen, first, rest = set(), [], []
     for case in single:
-        changed = [(case['proxy'], *item) for item in case['inputs'].items() if not item[1].endswith('/good')]
-        changed += [(case['proxy'], key) for key in case['set']]
+        plain = small(description['proxies'][case['proxy']]['settings'])
+        changed = [data for data in case['inputs'].values() if not data.endswith('/good')]
+        changed += [(case['proxy'], key) for key, values in case['set'].items() if values != plain.get(key)]
         new = [item for item in changed if item not in seen]
         seen.update(new)
         (first if new else rest).append(case)

@@ -227,7 +227,9 @@ def outcome(proxy):
             for i in range(attributes.GetNumberOfArrays() if attributes else 0):
                 array = attributes.GetArrayInformation(i)
                 arrays[array.GetName()] = [array.GetComponentRange(c) for c in range(min(9, array.GetNumberOfComponents()))]
-        found[port] = [information.GetNumberOfPoints() + information.GetNumberOfRows(), arrays]
+        # Points where the pieces of an image meet count twice
+        size = information.GetNumberOfCells() if information.GetDataSetTypeAsString() == 'vtkImageData' else information.GetNumberOfPoints()
+        found[port] = [size + information.GetNumberOfRows(), arrays]
     return found
 
 
