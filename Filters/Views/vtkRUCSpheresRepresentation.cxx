@@ -241,47 +241,57 @@ int vtkRUCSpheresRepresentation::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
-    double bounds[6];
-    vtkBoundingBox box;
-    this->Spheres->AddSpheres(this->ProcessedData, box);
-    box.GetBounds(bounds);
-    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, this->Actor->GetMatrix());
-    // What the superclass asks for, moving points so that ranks can be drawn one behind the other,
-    // loses some of them in ParaView 5.11 as Debian 12 has it. Opaque spheres need no order.
-    if (this->IsTranslucent())
-    {
-      vtkPVRenderView::SetOrderedCompositingConfiguration(
-        inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
-    }
-    else
-    {
-      outInfo->Remove(vtkPVRenderView::NEED_ORDERED_COMPOSITING());
-      vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this, 0);
-    }
-    vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, this->IsTranslucent());
-
-    vtkPVView::SetPiece(inInfo, this, this->Window, 0, WindowPort);
-    this->Window->GetBounds(bounds);
-    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, this->Actor->GetMatrix(), WindowPort);
-    vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this, 0, nullptr, WindowPort);
+    this->OfferData(inInfo, outInfo);
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
-    this->Actor->SetVisibility(this->GetVisibility() && (this->ShowCutSpheres || !this->CutShown));
-    vtkDataObject* window = vtkPVView::GetDeliveredPiece(inInfo, this, WindowPort);
-    auto* ranks = vtkMultiProcessController::GetGlobalController();
-    if (this->IsTranslucent() && ranks && ranks->GetLocalProcessId() > 0)
-    {
-      // The first rank draws all spheres
-      this->Mapper->SetInputDataObject(nullptr);
-      window = nullptr;
-    }
-    this->WindowActor->SetVisibility(this->GetVisibility() && window);
-    this->WindowActor->GetMapper()->SetInputDataObject(window);
-    this->WindowActor->SetUserMatrix(this->Actor->GetMatrix());
-    auto* view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()));
-    const double shade = IsDark(view->GetRenderer()->GetBackground()) ? 1.0 : 0.0;
-    this->WindowActor->GetProperty()->SetColor(shade, shade, shade);
+    this->PrepareActors(inInfo);
   }
   return 1;
+}
+
+void vtkRUCSpheresRepresentation::OfferData(vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  double bounds[6];
+  vtkBoundingBox box;
+  this->Spheres->AddSpheres(this->ProcessedData, box);
+  box.GetBounds(bounds);
+  vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, this->Actor->GetMatrix());
+  // What the superclass asks for, moving points so that ranks can be drawn one behind the other,
+  // loses some of them in ParaView 5.11 as Debian 12 has it. Opaque spheres need no order.
+  if (this->IsTranslucent())
+  {
+    vtkPVRenderView::SetOrderedCompositingConfiguration(
+      inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
+  }
+  else
+  {
+    outInfo->Remove(vtkPVRenderView::NEED_ORDERED_COMPOSITING());
+    vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this, 0);
+  }
+  vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, this->IsTranslucent());
+
+  vtkPVView::SetPiece(inInfo, this, this->Window, 0, WindowPort);
+  this->Window->GetBounds(bounds);
+  vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, this->Actor->GetMatrix(), WindowPort);
+  vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this, 0, nullptr, WindowPort);
+}
+
+void vtkRUCSpheresRepresentation::PrepareActors(vtkInformation* inInfo)
+{
+  this->Actor->SetVisibility(this->GetVisibility() && (this->ShowCutSpheres || !this->CutShown));
+  vtkDataObject* window = vtkPVView::GetDeliveredPiece(inInfo, this, WindowPort);
+  auto* ranks = vtkMultiProcessController::GetGlobalController();
+  if (this->IsTranslucent() && ranks && ranks->GetLocalProcessId() > 0)
+  {
+    // The first rank draws all spheres
+    this->Mapper->SetInputDataObject(nullptr);
+    window = nullptr;
+  }
+  this->WindowActor->SetVisibility(this->GetVisibility() && window);
+  this->WindowActor->GetMapper()->SetInputDataObject(window);
+  this->WindowActor->SetUserMatrix(this->Actor->GetMatrix());
+  auto* view = vtkPVRenderView::SafeDownCast(inInfo->Get(vtkPVView::VIEW()));
+  const double shade = view && IsDark(view->GetRenderer()->GetBackground()) ? 1.0 : 0.0;
+  this->WindowActor->GetProperty()->SetColor(shade, shade, shade);
 }

@@ -13,10 +13,10 @@ class vtkRUCSphereMapper;
 /**
  * Draws points as spheres of their true radius, and the window of a pack as lines.
  *
- * On several rendering ranks each draws its own points, and the nearest wins in every pixel: the
- * picture is that of one rank. Translucent spheres blend in the order of their depth, so the first
- * rank then draws them all; other data in the view that lie on other ranks are blended in front of
- * or behind all of them.
+ * On several rendering ranks each rank draws its own points, and the nearest one wins in every
+ * pixel, so that the picture is that of one rank. Translucent spheres blend in the order of their
+ * depth. Hence the first rank draws them all, and data in the view that lie on other ranks are
+ * blended in front of all of them or behind.
  *
  * The window comes from the data's field data: `BoxOrigin` and `BoxSize`, or `CylinderBase`,
  * `CylinderAxis`, `CylinderRadius` and `CylinderHeight`. Its lines are white on a dark background
@@ -63,6 +63,10 @@ private:
   void operator=(const vtkRUCSpheresRepresentation&) = delete;
 
   bool IsTranslucent() const;
+  /** Tells the view of spheres and window, and on which ranks it needs them. */
+  void OfferData(vtkInformation* inInfo, vtkInformation* outInfo);
+  /** Makes the actors draw what the view delivered to this rank. */
+  void PrepareActors(vtkInformation* inInfo);
 
   bool ShowWindow = true;
   bool ShowCutSpheres = false;

@@ -78,56 +78,67 @@ protected:
   {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QFontMetrics text = this->fontMetrics();
-    const int left = text.horizontalAdvance("0.0000") + 8;
-    const QRectF frame(left, 1.5 * text.height(), this->width() - left - 12,
-      this->height() - 3.0 * text.height() - 4);
-    painter.fillRect(frame, this->palette().base());
-    painter.drawText(QRectF(0, 0, frame.right(), text.height()), Qt::AlignHCenter, this->Title);
+    const int line = this->fontMetrics().height();
+    const int left = this->fontMetrics().horizontalAdvance("0.0000") + 8;
+    this->Frame =
+      QRectF(left, 1.5 * line, this->width() - left - 12, this->height() - 3.0 * line - 4);
+    painter.fillRect(this->Frame, this->palette().base());
+    painter.drawText(QRectF(0, 0, this->Frame.right(), line), Qt::AlignHCenter, this->Title);
 
-    double low = this->Points.front().y(), high = low;
-    for (const QPointF& point : this->Points)
-    {
-      low = std::min(low, point.y());
-      high = std::max(high, point.y());
-    }
-    const std::vector<double> ticks = Ticks(low, high);
-    low = ticks.front();
-    high = ticks.back();
-    const double last = std::max(this->Points.back().x(), 1.0);
-    const auto place = [&](double seconds, double exponent)
-    {
-      return QPointF(frame.left() + frame.width() * seconds / last,
-        frame.bottom() - frame.height() * (exponent - low) / (high - low));
-    };
+    const auto [low, high] = std::minmax_element(this->Points.begin(), this->Points.end(),
+      [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); });
+    const std::vector<double> ticks = Ticks(low->y(), high->y());
+    this->Low = ticks.front();
+    this->High = ticks.back();
+    this->Last = std::max(this->Points.back().x(), 1.0);
+    this->drawAxes(painter, ticks);
+    this->drawCurve(painter);
+  }
+
+private:
+  QPointF place(const QPointF& point) const
+  {
+    return { this->Frame.left() + this->Frame.width() * point.x() / this->Last,
+      this->Frame.bottom() -
+        this->Frame.height() * (point.y() - this->Low) / (this->High - this->Low) };
+  }
+
+  void drawAxes(QPainter& painter, const std::vector<double>& ticks) const
+  {
+    const int line = this->fontMetrics().height();
     for (const double exponent : ticks)
     {
-      const double y = place(0.0, exponent).y();
+      const double y = this->place({ 0.0, exponent }).y();
       painter.setPen(this->palette().color(QPalette::Midlight));
-      painter.drawLine(QPointF(frame.left(), y), QPointF(frame.right(), y));
+      painter.drawLine(QPointF(this->Frame.left(), y), QPointF(this->Frame.right(), y));
       painter.setPen(this->palette().color(QPalette::Text));
-      painter.drawText(QRectF(0, y - text.height() / 2.0, left - 5, text.height()),
+      painter.drawText(QRectF(0, y - line / 2.0, this->Frame.left() - 5, line),
         Qt::AlignRight | Qt::AlignVCenter, QString::number(std::pow(10.0, exponent), 'g', 2));
     }
-    painter.setPen(this->palette().color(QPalette::Text));
-    painter.drawRect(frame);
-    const QRectF below(frame.left(), frame.bottom() + 2, frame.width(), text.height());
+    painter.drawRect(this->Frame);
+    const QRectF below(this->Frame.left(), this->Frame.bottom() + 2, this->Frame.width(), line);
     painter.drawText(below, Qt::AlignLeft, "0");
     painter.drawText(below, Qt::AlignHCenter, "Time (s)");
-    painter.drawText(below, Qt::AlignRight, QString::number(last, 'f', 0));
+    painter.drawText(below, Qt::AlignRight, QString::number(this->Last, 'f', 0));
+  }
 
-    QPainterPath path(place(this->Points.front().x(), this->Points.front().y()));
+  void drawCurve(QPainter& painter) const
+  {
+    QPainterPath path(this->place(this->Points.front()));
     for (const QPointF& point : this->Points)
     {
-      path.lineTo(place(point.x(), point.y()));
+      path.lineTo(this->place(point));
     }
     painter.setPen(QPen(QColor("#1f77b4"), 2.0));
     painter.drawPath(path);
   }
 
-private:
   QString Title;
   std::vector<QPointF> Points; // seconds, logarithm of the value
+  // As it is drawn now: the frame on the widget, the logarithms at its bottom and top, its last
+  // second
+  QRectF Frame;
+  double Low = 0.0, High = 1.0, Last = 1.0;
 };
 
 class RunWindow : public QWidget

@@ -63,6 +63,35 @@ vtkIdType CountSpheres(vtkSMProxy* proxy)
   return source ? source->GetDataInformation(input.GetOutputPort())->GetNumberOfPoints() : 0;
 }
 
+// Another proxy like the filter's, with what stands in the panel now; null where the session is
+// gone
+vtkSmartPointer<vtkSMProxy> MakeScratch(vtkSMProxy* filter)
+{
+  vtkSMSessionProxyManager* proxies = filter->GetSessionProxyManager();
+  auto scratch = vtkSmartPointer<vtkSMProxy>::Take(
+    proxies ? proxies->NewProxy(filter->GetXMLGroup(), filter->GetXMLName()) : nullptr);
+  if (!scratch)
+  {
+    return nullptr;
+  }
+  ForEachProperty(filter,
+    [&](const char* name, vtkSMProperty* edited)
+    {
+      vtkSMProperty* property = scratch->GetProperty(name);
+      if (property && !TakeEdited<vtkSMIntVectorProperty>(edited, property) &&
+        !TakeEdited<vtkSMDoubleVectorProperty>(edited, property) &&
+        !TakeEdited<vtkSMIdTypeVectorProperty>(edited, property) &&
+        !TakeEdited<vtkSMStringVectorProperty>(edited, property))
+      {
+        property->Copy(edited);
+      }
+    });
+  vtkSMPropertyHelper(scratch, "SpheresInInput").Set(CountSpheres(filter));
+  scratch->UpdateVTKObjects();
+  scratch->UpdatePropertyInformation();
+  return scratch;
+}
+
 // With one or two digits: more would promise too much
 QString RoundedText(double value)
 {
@@ -128,24 +157,11 @@ pqRUCEstimateWidget::~pqRUCEstimateWidget()
 
 void pqRUCEstimateWidget::estimate()
 {
-  vtkSMProxy* filter = this->proxy();
-  auto scratch = vtkSmartPointer<vtkSMProxy>::Take(
-    filter->GetSessionProxyManager()->NewProxy(filter->GetXMLGroup(), filter->GetXMLName()));
-  ForEachProperty(filter,
-    [&](const char* name, vtkSMProperty* edited)
-    {
-      vtkSMProperty* property = scratch->GetProperty(name);
-      if (!TakeEdited<vtkSMIntVectorProperty>(edited, property) &&
-        !TakeEdited<vtkSMDoubleVectorProperty>(edited, property) &&
-        !TakeEdited<vtkSMIdTypeVectorProperty>(edited, property) &&
-        !TakeEdited<vtkSMStringVectorProperty>(edited, property))
-      {
-        property->Copy(edited);
-      }
-    });
-  vtkSMPropertyHelper(scratch, "SpheresInInput").Set(CountSpheres(filter));
-  scratch->UpdateVTKObjects();
-  scratch->UpdatePropertyInformation();
+  const vtkSmartPointer<vtkSMProxy> scratch = MakeScratch(this->proxy());
+  if (!scratch)
+  {
+    return;
+  }
   const double seconds = vtkSMPropertyHelper(scratch, "EstimatedTime").GetAsDouble();
   const double memory = vtkSMPropertyHelper(scratch, "EstimatedMemory").GetAsDouble();
 

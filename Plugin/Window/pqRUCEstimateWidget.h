@@ -14,11 +14,13 @@
 class QLabel;
 
 /**
- * A line in the panel that tells before Apply how long a run will take and how much memory it will
- * use, and what automatic values are: the information properties EstimatedTime, EstimatedMemory
- * and AutomaticValues of a scratch proxy of the same kind and input, with the numbers that stand in
- * the panel now. The filter itself is not touched, and nothing runs. In place of an editor of the
- * property SpheresInInput.
+ * A line in the panel that tells before Apply how long a run will take, how much memory it will
+ * use, and what automatic values are. It stands in place of an editor of the property
+ * SpheresInInput.
+ *
+ * The line asks another proxy of the same kind and input, which has the numbers that stand in the
+ * panel now, for its information properties EstimatedTime, EstimatedMemory and AutomaticValues. The
+ * filter itself is not touched, and nothing runs.
  */
 class pqRUCEstimateWidget : public pqPropertyWidget
 {
