@@ -19,7 +19,7 @@
  * A filter may have an output of spheres and another of surfaces that stand for the same spheres,
  * cut at a box. It says so in its hints, with the ports of the spheres and of the surfaces:
  *
- *     <Representation view="RenderView" type="RUCSpheresRepresentation" port="0" replaced_by="2"/>
+ *     <Output type="RUCSpheresRepresentation" port="0" replaced_by="2"/>
  *
  * A view that shows the surfaces then does not draw the whole spheres, which would cover the cut.
  */
