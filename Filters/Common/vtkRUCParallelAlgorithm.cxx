@@ -21,8 +21,8 @@
 
 namespace
 {
-// Collective: the columns of rank 0's table, without its rows, on the other ranks. Views of
-// ParaView look a column up on every rank, and some of them end the server where there is none.
+// Collective: the columns of rank 0's table, without its rows, on the other ranks. Readers of tables
+// leave them so, and views that work on all ranks look a column up on each.
 void ShareColumns(vtkTable* table, const RankCommunicator& ranks)
 {
   vtkMultiProcessStream stream;
