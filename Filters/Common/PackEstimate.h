@@ -4,7 +4,8 @@
 
 #include "PackData.h"
 #include "RUCCommonModule.h"
-#include "ruc/Estimates/Estimates.h"
+#include "ruc/Particles/PackFigures.h"
+#include "ruc/Reconstruction/CellObjective.h"
 
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include "PackData.h"
 #include "PackEstimate.h"
 #include "RankCommunicator.h"
-#include "ruc/Estimates/Estimates.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -81,7 +81,7 @@ public:
    * What a run with the properties as they are would take on an even pack: seconds, with the work
    * shared by all ranks and their threads, and megabytes of 10^6 bytes on every rank. Told from the
    * input as it was last updated on this rank, without any work and without asking other ranks, so
-   * to a factor of three (Core/Estimates.h). 0 where that is not known: without input, for
+   * to a factor of three (Core/Base/Estimate.h). 0 where that is not known: without input, for
    * properties out of range, and by the filters that do not say.
    */
   double GetEstimatedTime();

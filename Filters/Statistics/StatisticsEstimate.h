@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ruc/Estimates/Estimates.h"
+#include "ruc/Particles/PackFigures.h"
 #include "ruc/Statistics/Sampling/SampledSums.h"
 
 /** What the estimates of the filters that measure functions of one lag have in common. */

@@ -11,6 +11,7 @@
 #include "TwoPointTables.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Particles/PackOverlap.h"
+#include "ruc/Statistics/PairSums/DirectionalProbability.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
 #include "ruc/Window/Directions.h"

@@ -10,6 +10,7 @@
 #include "StatisticsEstimate.h"
 #include "TwoPointTables.h"
 #include "ruc/Particles/PackOverlap.h"
+#include "ruc/Statistics/PairSums/RadialDistribution.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 
 #include "vtkInformation.h"

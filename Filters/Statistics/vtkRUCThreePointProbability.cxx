@@ -10,7 +10,6 @@
 #include "RankCommunicator.h"
 #include "ThreePointTables.h"
 #include "ruc/Base/Text.h"
-#include "ruc/Estimates/Estimates.h"
 #include "ruc/Particles/PackOverlap.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/Results/LagLimit.h"

@@ -67,4 +67,16 @@ private:
   std::vector<std::int64_t> Sums;
   std::vector<double> Potential;
 };
+
+/** What estimates have to know of a cell. */
+struct CellFigures
+{
+  double Spheres = 0.0;
+  double Density = 0.0; // spheres per volume
+  double LargestRadius = 0.0;
+  int Modes = 1;
+};
+
+/** Seconds of one evaluation of the objective, on one core. */
+double EstimateEvaluation(const CellFigures& cell, const LagGrid& lags, bool withGradient);
 }

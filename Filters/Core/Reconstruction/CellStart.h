@@ -17,4 +17,7 @@ namespace ruc
  */
 std::vector<double> RandomCentres(
   const CellContents& contents, std::uint32_t seed, std::uint32_t number);
+
+/** Seconds that a sphere takes to be put at random or deposited. */
+constexpr double SecondsPerStartedSphere = 1e-6;
 }

@@ -266,4 +266,11 @@ UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbabilit
   }
   return search.Run();
 }
+
+Estimate EstimateGradientSearch(const CellFigures& cell, const LagGrid& lags, int iterations)
+{
+  return { cell.Spheres * SecondsPerStartedSphere +
+      (iterations + 1.0) * EstimateEvaluation(cell, lags, true),
+    cell.Spheres * 1000.0 / BytesOfMegabyte, 0.0 };
+}
 }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "ruc/Base/Communicator.h"
+#include "ruc/Base/Estimate.h"
 #include "ruc/Reconstruction/CellContents.h"
+#include "ruc/Reconstruction/CellObjective.h"
 #include "ruc/Reconstruction/Descent.h"
 #include "ruc/Reconstruction/UnitCell.h"
 #include "ruc/Statistics/Results/TwoPointProbability.h"
@@ -64,4 +66,7 @@ UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbabilit
   const GradientSearchSettings& settings, Communicator& communicator,
   const std::function<bool(const SearchState&)>& carryOn, const GradientState* resume = nullptr,
   const std::function<void(const GradientState&)>& save = {});
+
+/** What SearchByGradient takes to its last iteration. */
+Estimate EstimateGradientSearch(const CellFigures& cell, const LagGrid& lags, int iterations);
 }

@@ -3,6 +3,7 @@
 #include "ruc/Reconstruction/Population/PopulationSettings.h"
 
 #include "ruc/Base/Text.h"
+#include "ruc/Reconstruction/CellStart.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -74,5 +75,19 @@ void CheckSettings(const PopulationSettings& s)
   Require(s.ReheatingGenerations >= 1, "ReheatingGenerations", "ReheatingGenerations >= 1",
     s.ReheatingGenerations);
   Require(s.RefinementSteps >= 0, "RefinementSteps", "RefinementSteps >= 0", s.RefinementSteps);
+}
+
+Estimate EstimatePopulationSearch(
+  const CellFigures& cell, const LagGrid& lags, const PopulationSettings& settings)
+{
+  constexpr double SecondsPerChildSphere = 1.4e-5; // freed from overlap by springs
+  const double evaluation = EstimateEvaluation(cell, lags, false);
+  const double member = cell.Spheres * SecondsPerStartedSphere + evaluation;
+  const double child = cell.Spheres * SecondsPerChildSphere + evaluation;
+  const double descent = settings.RefinementSteps * EstimateEvaluation(cell, lags, true);
+  const double children = settings.RefinementSteps > 0 ? 0.0 : settings.MatingPool;
+  return { settings.Population * member +
+      static_cast<double>(settings.MaximumGenerations) * (children * child + descent),
+    settings.Population * cell.Spheres * 24.0 / BytesOfMegabyte, 0.0 };
 }
 }

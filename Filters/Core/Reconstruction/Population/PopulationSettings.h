@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ruc/Base/Estimate.h"
 #include "ruc/Packing/Deposition.h"
+#include "ruc/Reconstruction/CellObjective.h"
 
 #include <array>
 #include <cstdint>
@@ -65,4 +67,8 @@ PopulationSettings HybridSettings();
 
 /** Throws std::invalid_argument for settings out of range. */
 void CheckSettings(const PopulationSettings& settings);
+
+/** What SearchByPopulation takes to its last generation; of the hybrid with descents all along. */
+Estimate EstimatePopulationSearch(
+  const CellFigures& cell, const LagGrid& lags, const PopulationSettings& settings);
 }

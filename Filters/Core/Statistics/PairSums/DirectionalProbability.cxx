@@ -10,6 +10,7 @@
 #include "ruc/Statistics/PairSums/WeightedPairs.h"
 #include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
+#include "ruc/Statistics/Results/Phases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -306,5 +307,21 @@ std::vector<std::vector<double>> IsotropyNoise(const DirectionalProbability& pro
       values.begin(), values.end(), values.begin(), [](double sum) { return std::sqrt(sum); });
   }
   return noise;
+}
+
+namespace
+{
+constexpr double SecondsPerPairAndDirection = 1.5e-9;
+constexpr double SecondsPerPairDirectionAndLag = 3e-11;
+}
+
+Estimate EstimatePairSumAlong(const PackFigures& pack, const LagGrid& lags, int directions)
+{
+  const double pairs = pack.PairsWithin(lags.Maximum() + 2.0 * pack.LargestRadius);
+  return { pairs *
+      (SecondsPerWeightedPair +
+        directions *
+          (SecondsPerPairAndDirection + LagsOfPair(pack, lags) * SecondsPerPairDirectionAndLag)),
+    24.0 * directions * PairsOfPhases(pack.Modes) * lags.Count / BytesOfMegabyte, 0.0 };
 }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ruc/Base/Communicator.h"
+#include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/PackShare.h"
 #include "ruc/Statistics/Results/TwoPointProbability.h"
 
@@ -57,4 +58,7 @@ std::vector<std::vector<double>> IsotropyDeviation(const DirectionalProbability&
 /** The isotropy deviation that sampling errors alone would make: the root of the mean square of
  * Errors over directions; 0 for an exact method. */
 std::vector<std::vector<double>> IsotropyNoise(const DirectionalProbability& probability);
+
+/** What SumPairsAlong takes. */
+Estimate EstimatePairSumAlong(const PackFigures& pack, const LagGrid& lags, int directions);
 }

@@ -9,6 +9,7 @@
 #include "ruc/Statistics/PairSums/WeightedPairs.h"
 #include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
+#include "ruc/Statistics/Results/Phases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -275,5 +276,25 @@ TwoPointProbability SumPairs(const SpherePack& pack, const Window& window, const
 {
   Communicator serial;
   return SumPairs(SharePack(pack, window), lags, serial);
+}
+
+namespace
+{
+constexpr double SecondsPerDirectPair = 4.8e-8;
+constexpr double SecondsPerDirectLag = 0.5e-9;   // of a pair
+constexpr double SecondsPerClassAndLag = 1.3e-6; // from the histogram of a pair of types to S_rs
+}
+
+Estimate EstimatePairSum(const PackFigures& pack, const LagGrid& lags)
+{
+  const double pairs = pack.PairsWithin(lags.Maximum() + 2.0 * pack.LargestRadius);
+  const double classes = 0.5 * pack.Types * (pack.Types + 1.0);
+  if (pack.Types > static_cast<int>(MostTypes))
+  {
+    return { pairs * (SecondsPerDirectPair + LagsOfPair(pack, lags) * SecondsPerDirectLag),
+      16.0 * PairsOfPhases(pack.Modes) * lags.Count / BytesOfMegabyte, 0.0 };
+  }
+  return { pairs * SecondsPerHistogramPair + classes * lags.Count * SecondsPerClassAndLag,
+    64.0 * classes * lags.Count / BytesOfMegabyte, 0.0 };
 }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ruc/Base/Communicator.h"
+#include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/PackShare.h"
 #include "ruc/Statistics/Results/TwoPointProbability.h"
 
@@ -34,4 +35,7 @@ TwoPointProbability SumPairs(const PackShare& share, const LagGrid& lags, Commun
 
 /** The same for one rank that holds all of a pack, in any order. */
 TwoPointProbability SumPairs(const SpherePack& pack, const Window& window, const LagGrid& lags);
+
+/** What SumPairs takes. */
+Estimate EstimatePairSum(const PackFigures& pack, const LagGrid& lags);
 }

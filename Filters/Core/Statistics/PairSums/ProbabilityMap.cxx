@@ -316,4 +316,20 @@ ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int
   }
   return map;
 }
+
+namespace
+{
+constexpr double SecondsPerPairOfMap = 3.3e-7;
+constexpr double SecondsPerPairAndVoxel = 2.5e-9;
+}
+
+Estimate EstimateMap(const PackFigures& pack, double reach, int pairs, int resolution)
+{
+  const double spacing = reach / resolution, contact = 2.0 * pack.MeanRadius;
+  const double voxels = SphereVolume(contact / spacing); // of a pair
+  // As many pairs as in a ball of the cube's volume
+  return { pack.PairsWithin(1.24 * (reach + contact)) *
+      (SecondsPerPairOfMap + voxels * SecondsPerPairAndVoxel),
+    24.0 * pairs * std::pow(2.0 * resolution + 1.0, 3) / BytesOfMegabyte, 0.0 };
+}
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ruc/Base/Communicator.h"
+#include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/PackShare.h"
 
 #include <array>
@@ -50,4 +51,8 @@ struct ProbabilityMap
 ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int, 2>>& pairs,
   double spacing, double reach, Communicator& ranks,
   const std::function<void(double)>& progress = {});
+
+/** What MapPairs takes for `pairs` pairs of phases, with `resolution` voxels from the centre, which
+ * reach `reach`. */
+Estimate EstimateMap(const PackFigures& pack, double reach, int pairs, int resolution);
 }

@@ -76,4 +76,9 @@ RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGr
   }
   return result;
 }
+
+Estimate EstimateRadialDistribution(const PackFigures& pack, const LagGrid& lags)
+{
+  return { pack.PairsWithin(lags.Maximum()) * SecondsPerWeightedPair, 0.0, 0.0 };
+}
 }

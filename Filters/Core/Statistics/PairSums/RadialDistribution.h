@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ruc/Base/Communicator.h"
+#include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/PackShare.h"
 #include "ruc/Statistics/Results/TwoPointProbability.h"
 
@@ -41,4 +42,7 @@ struct RadialDistribution
  */
 RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGrid& lags,
   Communicator& ranks, const std::function<void(double)>& progress = {});
+
+/** What MeasureRadialDistribution takes. */
+Estimate EstimateRadialDistribution(const PackFigures& pack, const LagGrid& lags);
 }

@@ -60,4 +60,9 @@ void WeightedPairs::FindScale(double heaviest, Communicator& ranks, const char* 
     std::clamp<std::int64_t>(FixedPointSums::MostTerms / terms, 1, mostCentres));
   this->Terms = terms * static_cast<std::int64_t>(this->Step);
 }
+
+double LagsOfPair(const PackFigures& pack, const LagGrid& lags)
+{
+  return std::min(4.0 * pack.MeanRadius / lags.Spacing, static_cast<double>(lags.Count));
+}
 }

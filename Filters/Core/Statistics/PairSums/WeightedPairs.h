@@ -3,7 +3,9 @@
 #pragma once
 
 #include "ruc/Base/FixedPointSums.h"
+#include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/PairNeighbourhood.h"
+#include "ruc/Statistics/Results/LagGrid.h"
 
 #include <omp.h>
 
@@ -108,4 +110,10 @@ private:
   double Cube, Rim, Volume;
   bool Periodic;
 };
+
+/** Seconds that a pair takes to be found and handed out by ForEach. */
+constexpr double SecondsPerWeightedPair = 25e-9;
+
+/** At how many lags two spheres at rest overlap with one of them moved. */
+double LagsOfPair(const PackFigures& pack, const LagGrid& lags);
 }

@@ -3,6 +3,7 @@
 #include "ruc/Statistics/Results/LagGrid.h"
 
 #include "ruc/Base/Text.h"
+#include "ruc/Statistics/Results/Phases.h"
 
 #include <stdexcept>
 
@@ -16,7 +17,7 @@ void CheckNumberOfLags(int modes, const LagGrid& lags)
       Text("NumberOfLags requires 1 <= NumberOfLags <= ", MostLags, ", got ", lags.Count, "."));
   }
   constexpr double mostNumbers = 5e7; // of all functions, 400 MB
-  const double pairs = 0.5 * (modes + 1.0) * (modes + 2.0);
+  const double pairs = PairsOfPhases(modes);
   if (pairs * (lags.Count + 1.0) > mostNumbers)
   {
     throw std::invalid_argument(Text("NumberOfLags requires at most ",

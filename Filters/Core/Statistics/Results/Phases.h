@@ -20,4 +20,10 @@ std::string PhaseName(int phase, int modes);
  */
 std::vector<std::vector<int>> ParsePhaseLists(
   const std::string& text, int modes, std::size_t length, const std::string& required);
+
+/** Unordered pairs of phases. */
+constexpr double PairsOfPhases(int modes)
+{
+  return 0.5 * (modes + 1.0) * (modes + 2.0);
+}
 }

@@ -269,4 +269,37 @@ std::vector<SampledTwoPoint> SampleChordsAlong(const std::vector<Vector3>& direc
   }
   return results;
 }
+
+namespace
+{
+constexpr double SecondsPerSphereAndBatch = 4e-8; // projected onto the grid of lines
+constexpr double SecondsPerHit = 110e-9;          // of a line by a sphere
+constexpr double SecondsPerPairOfChanges = 7e-9;  // of phases on a line
+
+// Pairs of phase changes on a line up to `lag` apart: two for a sphere
+double PairsOfChanges(double hits, double length, double lag)
+{
+  const double reach = std::min(lag / length, 1.0);
+  return 4.0 * hits * hits * reach * (1.0 - 0.5 * reach);
+}
+}
+
+Estimate EstimateChords(const PackFigures& pack, const LagGrid& lags, double lines)
+{
+  // The mean chord of a cube, 4 volumes over the surface; and a periodic line with its last lag
+  const double edge = std::cbrt(pack.Observed.Volume());
+  const double length = pack.Observed.IsFullyPeriodic() ? edge + lags.Maximum() : 2.0 / 3.0 * edge;
+  const double hits = pack.HitsOn(length);
+  const double ordered = (pack.Modes + 1.0) * (pack.Modes + 1.0);
+  // As many lines in a batch as spheres lie side by side
+  const double ofBatch =
+    std::clamp(1.8 * std::pow(pack.Spheres, 2.0 / 3.0), 1.0, 1.0 * MostLinesInBatch);
+  const double batches = std::max(lines / ofBatch, 1.0 * FewestBatches);
+  return { lines *
+        (hits * SecondsPerHit +
+          PairsOfChanges(hits, length, lags.Maximum()) * SecondsPerPairOfChanges) +
+      batches *
+        (pack.Spheres * SecondsPerSphereAndBatch + ordered * lags.Count * SecondsPerBatchEntry),
+    100.0 * ordered * lags.Count / BytesOfMegabyte + 10.0, 0.0 };
+}
 }

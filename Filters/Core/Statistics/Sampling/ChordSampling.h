@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ruc/Base/Communicator.h"
+#include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/SpherePack.h"
 #include "ruc/Statistics/Sampling/ChordLengths.h"
 #include "ruc/Statistics/Sampling/SampledSums.h"
@@ -45,4 +46,7 @@ std::vector<SampledTwoPoint> SampleChordsAlong(const std::vector<Vector3>& direc
   const SpherePack& own, int modes, const SamplingRegion& region, const LagGrid& lags,
   const SamplingSettings& settings, Communicator& communicator,
   const SamplingProgress& progress = {});
+
+/** What SampleChords takes for so many lines. */
+Estimate EstimateChords(const PackFigures& pack, const LagGrid& lags, double lines);
 }

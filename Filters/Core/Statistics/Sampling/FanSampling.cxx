@@ -613,4 +613,28 @@ ThreePointProbability SampleFans(const SpherePack& own, int modes, const Samplin
   return ThreePointProbability(
     FanSampler(own, modes, region, grid, triples, settings, communicator).Count(progress), triples);
 }
+
+namespace
+{
+constexpr double SecondsPerRayHit = 3.5e-7;
+constexpr double SecondsPerPairOfIntervals = 1.4e-9; // on two rays of a fan
+constexpr double SecondsPerGridEntry = 1e-9;         // of S_rsq, a batch
+constexpr int FewestBatchesOfFans = 32;
+}
+
+Estimate EstimateFans(const PackFigures& pack, const ThreePointGrid& grid, std::size_t triples,
+  bool withErrors, double throws)
+{
+  const double rays = grid.Directions;
+  const double hits = pack.HitsOn(grid.Lags.Maximum());
+  // Intervals of a phase on a ray; the rays of a pair at every angle once
+  const double intervals = hits + 1.0;
+  const double ofThrow = rays * hits * SecondsPerRayHit +
+    static_cast<double>(triples) * 0.5 * rays * rays * intervals * intervals *
+      SecondsPerPairOfIntervals;
+  const double tables = static_cast<double>(grid.Size()) * (triples + 1.0);
+  return { throws * ofThrow + FewestBatchesOfFans * tables * SecondsPerGridEntry,
+    EstimateFanMemory(grid, triples, withErrors, true) / BytesOfMegabyte,
+    8.0 * static_cast<double>(grid.Size()) * triples * (withErrors ? 2 : 1) / BytesOfMegabyte };
+}
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ruc/Base/Communicator.h"
+#include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/SpherePack.h"
 #include "ruc/Statistics/Sampling/SampledSums.h"
 #include "ruc/Statistics/ThirdOrder/ThreePointProbability.h"
@@ -55,4 +56,8 @@ double EstimateFanMemory(
 ThreePointProbability SampleFans(const SpherePack& own, int modes, const SamplingRegion& region,
   const ThreePointGrid& grid, const std::vector<PhaseTriple>& triples, const FanSettings& settings,
   Communicator& communicator, const SamplingProgress& progress = {});
+
+/** What SampleFans takes; its memory is that with a border. */
+Estimate EstimateFans(const PackFigures& pack, const ThreePointGrid& grid, std::size_t triples,
+  bool withErrors, double throws);
 }

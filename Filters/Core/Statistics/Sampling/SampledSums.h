@@ -173,4 +173,7 @@ SampledTwoPoint TakeSamples(const SamplingSettings& settings, const SampleNames&
   int samplesInBatch, int batchesAtOnce, SampledSums& sums,
   const std::vector<SampledRatios*>& others, Communicator& communicator,
   const SamplingProgress& progress, const std::function<void(const BatchRange&)>& take);
+
+/** Seconds that a pair of phases and a lag take in a batch. */
+constexpr double SecondsPerBatchEntry = 3.7e-9;
 }

@@ -131,4 +131,17 @@ SampledTwoPoint SampleTemplate(const SpherePack& own, int modes, const SamplingR
   return TakeSamples(
     settings, Throws, throwsInBatch, batchesAtOnce, sums, {}, communicator, progress, take);
 }
+
+namespace
+{
+constexpr double SecondsPerPoint = 50e-9; // whose phase is looked up
+}
+
+Estimate EstimateTemplate(const PackFigures& pack, const LagGrid& lags, double throws)
+{
+  const double ordered = (pack.Modes + 1.0) * (pack.Modes + 1.0);
+  return { throws * NumberOfRays * lags.Count * SecondsPerPoint +
+      FewestBatches * ordered * lags.Count * SecondsPerBatchEntry,
+    100.0 * ordered * lags.Count / BytesOfMegabyte + 10.0, 0.0 };
+}
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ruc/Base/Communicator.h"
+#include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/SpherePack.h"
 #include "ruc/Statistics/Sampling/SampledSums.h"
 #include "ruc/Tracing/SamplingRegion.h"
@@ -22,4 +23,7 @@ constexpr int NumberOfRays = 20;
 SampledTwoPoint SampleTemplate(const SpherePack& own, int modes, const SamplingRegion& region,
   const LagGrid& lags, const SamplingSettings& settings, Communicator& communicator,
   const SamplingProgress& progress = {});
+
+/** What SampleTemplate takes for so many throws. */
+Estimate EstimateTemplate(const PackFigures& pack, const LagGrid& lags, double throws);
 }

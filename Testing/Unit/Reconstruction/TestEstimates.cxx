@@ -1,8 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ruc/Estimates/Estimates.h"
+#include "ruc/Particles/PackFigures.h"
 
 #include "Oracles.h"
+#include "ruc/Reconstruction/GradientSearch.h"
+#include "ruc/Reconstruction/Population/PopulationSettings.h"
+#include "ruc/Statistics/PairSums/DirectionalProbability.h"
+#include "ruc/Statistics/PairSums/ExactPairSum.h"
+#include "ruc/Statistics/PairSums/RadialDistribution.h"
+#include "ruc/Statistics/Sampling/ChordSampling.h"
+#include "ruc/Statistics/Sampling/FanSampling.h"
+#include "ruc/Statistics/Sampling/TemplateSampling.h"
 
 // Seconds are no matter of tests; how they grow with the work is.
 namespace
