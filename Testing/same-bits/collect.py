@@ -200,6 +200,11 @@ def lattice_pack(name, periodic=True, windowed=True, modes=None, **options):
     return ParticleModes(Input=reader, **(modes or {'Method': 'One Per Size'}))
 
 
+def spread(name, **options):
+    """Shared out over the ranks, while a pack that is read lies on the first."""
+    return DistributePoints(Input=lattice_pack(name, **options))
+
+
 MANY = {'sizes': 729, 'modes': {'Method': 'Equal Volume', 'NumberOfModes': 3}}
 
 
@@ -235,12 +240,7 @@ def packs():
                              ('Equal Volume', {'MinimumDiameter': 25.0})):
         name = ' '.join([method, *(f'{key} {value}' for key, value in settings.items())])
         sort_modes(f'beads by {name}', whole if method != 'One Per Size' else numbered, Method=method, **settings)
-    # Shared out over the ranks, of which one then has few spheres
-    spread = sort_modes('spread lattice', DistributePoints(Input=numbered), NumberOfModes=2)
-    for pack, method in ((numbered, 'Sphere Volumes'), (spread, 'Sphere Volumes'), (spread, 'Chord Sampling')):
-        one_point(f'{"spread" if pack is spread else "whole"} lattice, {method}', pack, Method=method)
-    two_point('spread lattice', spread, **FEW_LAGS)
-    two_point('spread lattice, chords', spread, NumberOfLines=2000, **CHORDS, **FEW_LAGS)
+    sort_modes('spread lattice', DistributePoints(Input=numbered), NumberOfModes=2)
 
 
 def statistics():
@@ -266,7 +266,7 @@ def sampling():
     """One- and two-point probabilities of small packs: windows, masks, overlaps, automatic lags, every option"""
     packs = {'periodic': lattice_pack('periodic'), 'block': lattice_pack('block', periodic=False),
              'many radii': lattice_pack('many', **MANY), 'many radii, block': lattice_pack('many_block', periodic=False, **MANY),
-             'overlapping': lattice_pack('overlapping', radius=0.55)}
+             'overlapping': lattice_pack('overlapping', radius=0.55), 'spread over the ranks': spread('spread')}
     few = {'NumberOfLines': 1500, 'NumberOfThrows': 100, 'Seed': 3}
     for name, pack in packs.items():
         for method in ('Exact Pair Sum', 'Chord Sampling', 'Template Sampling'):
@@ -288,6 +288,8 @@ def sampling():
                'cylinder': {'CylinderBase': [4, 4, 0.5], 'CylinderRadius': 4, 'CylinderHeight': 7, 'CropToWindow': 1},
                'tilted cylinder': {'CylinderBase': [2, 4, 2], 'CylinderAxis': [1, 0, 1], 'CylinderRadius': 2.6, 'CylinderHeight': 5,
                                    'CropToWindow': 1},
+               'box, periodic': {'BoxOrigin': [-0.5] * 3, 'BoxSize': [9.0] * 3, 'BoxPeriodic': [1] * 3},
+               'box, periodic along x and y': {'BoxOrigin': [-0.5] * 3, 'BoxSize': [9.0] * 3, 'BoxPeriodic': [1, 1, 0]},
                'bounding box': {}}
     for name, window in windows.items():
         for method in ({}, CHORDS, TEMPLATE):
@@ -322,7 +324,7 @@ def triples():
     """Three-Point Probability and Compare Probabilities"""
     few = {'NumberOfThrows': 400, 'NumberOfDirections': 8, 'NumberOfLags': 10, 'MaximumLag': 2.0, 'StandardErrors': 1, 'Seed': 2}
     packs = {'periodic': lattice_pack('three'), 'block': lattice_pack('three_block', periodic=False),
-             'overlapping': lattice_pack('three_overlapping', radius=0.55)}
+             'overlapping': lattice_pack('three_overlapping', radius=0.55), 'spread over the ranks': spread('three_spread')}
     three = {name: three_point(name, pack, Phases='1 2 m; m m m; 2 2 2', **few) for name, pack in packs.items()}
     three_point('all', packs['periodic'], Phases='all', **{**few, 'StandardErrors': 0, 'NumberOfDirections': 7})
     three_point('automatic lags', packs['block'], Phases='1 1 m', NumberOfThrows=200, NumberOfLags=12)
@@ -363,6 +365,7 @@ def cells():
     reconstruct('cell size', pack, CellSize=4.2, MaximumIterations=3, **FEW_LAGS)
     reconstruct('automatic size and lags', pack, NumberOfLags=30, MaximumIterations=3, SaturationTolerance=0.01)
     reconstruct('mode counts', pack, ModeCounts=[17, 40], MaximumIterations=3, **FEW_LAGS)
+    reconstruct('spread over the ranks', spread('cells_spread'), **SMALL)
     reconstruct('block', lattice_pack('cells_block', periodic=False), **SMALL)
     reconstruct('many radii', lattice_pack('cells_many', **MANY), **SMALL)
     target = two_point('target', pack, **FEW_LAGS)
@@ -373,6 +376,7 @@ def cells():
     for name, settings in (('boundary copies', {}), ('tiling', {'Mode': 'Tiling', 'Tiles': [2, 1, 3]})):
         replicate(name, reconstruct(name, pack, **{**SMALL, 'Seed': 9}), **settings)
     spheres = UnitCellReconstruction(Input=pack, **SMALL)
+    replicate('spread over the ranks', spread('copies_spread'), clip=True)
     for name, settings in (('clipped', {}), ('coarse', {'SurfaceResolution': 8}), ('clipped tiling', {'Mode': 'Tiling', 'Tiles': [1, 2, 1]})):
         surfaces = replicate(name, spheres, clip=True, **settings)
     write_stl('surfaces.stl', surfaces)
