@@ -111,12 +111,8 @@ def one_point(name, pack, **settings):
 
 
 def two_point(name, pack, **settings):
-    outputs = {0: 'two-point', 1: 'two-point checks', 2: 'gradients'}
-    if settings.get('Autocovariance'):
-        outputs[3 if SPLIT else 8] = 'autocovariance'
-    if SPLIT:  # always there
-        settings.pop('Autocovariance', None)
-    return collect(name, TwoPointProbability(Input=pack, **settings), outputs)
+    source = TwoPointProbability(Input=pack, **settings, **({} if SPLIT else {'Autocovariance': 1}))
+    return collect(name, source, {0: 'two-point', 1: 'two-point checks', 2: 'gradients', 3 if SPLIT else 8: 'autocovariance'})
 
 
 def directions(name, pack, **settings):
@@ -124,11 +120,10 @@ def directions(name, pack, **settings):
     return collect(name, source, {0: 'isotropy', 1: 'directions'} if SPLIT else {4: 'isotropy', 5: 'directions'})
 
 
-def phase_map(name, pack, pairs, resolution, spacing=0.0, **settings):
-    if SPLIT:  # has no lags but the last
-        settings.pop('NumberOfLags', None)
-    source = (ProbabilityMap(Input=pack, PhasePairs=pairs, Resolution=resolution, Spacing=spacing, **settings) if SPLIT else
-              TwoPointProbability(Input=pack, ImagePairs=pairs, ImageResolution=resolution, ImageSpacing=spacing, **settings))
+def phase_map(name, pack, pairs, resolution, maximum_lag, spacing=0.0):
+    settings = {'Input': pack, 'MaximumLag': maximum_lag}
+    source = (ProbabilityMap(PhasePairs=pairs, Resolution=resolution, Spacing=spacing, **settings) if SPLIT else
+              TwoPointProbability(ImagePairs=pairs, ImageResolution=resolution, ImageSpacing=spacing, **settings))
     return collect(name, source, {0 if SPLIT else 3: 'map'})
 
 
@@ -249,12 +244,12 @@ def statistics():
     samples = {'NumberOfLines': 8000, 'NumberOfThrows': 300, 'Seed': 1}
     for method in ('Sphere Volumes', 'Chord Sampling', 'Template Sampling'):
         one_point(f'beads, {method}', pack, Method=method, **samples)
-    two_point('beads, exact', pack, Autocovariance=1, **LAGS)
+    two_point('beads, exact', pack, **LAGS)
     two_point('beads, chords', pack, **CHORDS, **LAGS, **samples)
     two_point('beads, template', pack, **TEMPLATE, **LAGS, **samples)
     radial_distribution('beads', pack, **LAGS)
     chord_lengths('beads', pack, NumberOfLines=8000, Seed=1, **LAGS)
-    phase_map('beads', pack, 'm m; 5 5', 6, **LAGS)
+    phase_map('beads', pack, 'm m; 5 5', 6, 200)
     octant = {'BoxSize': [edge / 2 for edge in BEADS_BOX], 'CropToWindow': 1}
     plain = ParticleModes(Input=SpherePackReader(FileName=BEADS, LengthUnit='µm'), NumberOfModes=9)
     two_point('octant of the beads', plain, MaximumLag=150, NumberOfLags=200, **octant)
@@ -270,7 +265,7 @@ def sampling():
     few = {'NumberOfLines': 1500, 'NumberOfThrows': 100, 'Seed': 3}
     for name, pack in packs.items():
         for method in ('Exact Pair Sum', 'Chord Sampling', 'Template Sampling'):
-            two_point(f'{name}, {method}', pack, Method=method, Autocovariance=1, **FEW_LAGS, **few)
+            two_point(f'{name}, {method}', pack, Method=method, **FEW_LAGS, **few)
         for method in ('Sphere Volumes', 'Chord Sampling', 'Template Sampling'):
             one_point(f'{name}, {method}', pack, Method=method, **few)
         two_point(f'{name}, automatic lags', pack, NumberOfLags=40, SaturationTolerance=0.002)
@@ -278,8 +273,8 @@ def sampling():
         directions(f'{name}, chords', pack, NumberOfDirections=9, NumberOfLines=600, Seed=2, **CHORDS, **FEW_LAGS)
         chord_lengths(name, pack, NumberOfLines=1500, Seed=3, **FEW_LAGS)
         radial_distribution(name, pack, **FEW_LAGS)
-        phase_map(name, pack, 'm m; 1 2', 4, **FEW_LAGS)
-    phase_map('a spacing', packs['periodic'], '1 1; 1 2; 2 m', 3, 0.25, **FEW_LAGS)
+        phase_map(name, pack, 'm m; 1 2', 4, 2.0)
+    phase_map('a spacing', packs['periodic'], '1 1; 1 2; 2 m', 3, 2.0, 0.25)
     for method in (CHORDS, TEMPLATE):
         two_point(f'target error, {method["Method"]}', packs['block'], TargetError=0.3, WindowMargin=0.6, Seed=4, **method, **FEW_LAGS)
         two_point(f'automatic lags, {method["Method"]}', packs['block'], NumberOfLags=20, **few, **method)
@@ -339,7 +334,7 @@ def triples():
     compare('tables', two[0], two[1:])
     two[1].UpdatePipeline()
     compare('a file', two[0], [CSVReader(FileName=[table_file('compared.csv', two[1])])])
-    maps = [phase_map(f'compared {n}', packs[name], 'm m; 1 2', 4, **FEW_LAGS) for n, name in enumerate(('periodic', 'overlapping'))]
+    maps = [phase_map(f'compared {n}', packs[name], 'm m; 1 2', 4, 2.0) for n, name in enumerate(('periodic', 'overlapping'))]
     port = 0 if SPLIT else 3
     compare('maps', OutputPort(maps[0], port), [OutputPort(maps[1], port)], images=True)
 
