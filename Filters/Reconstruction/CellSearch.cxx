@@ -18,7 +18,7 @@ struct ByGradient
 {
   using Settings = ruc::GradientSearchSettings;
   using State = ruc::GradientState;
-  static const Settings& Of(const CellSearch::Settings& settings) { return settings.Gradient; }
+  static Settings Of(const CellSearch::Settings& settings) { return settings.Gradient; }
   static State Read(const std::string& bytes, const ruc::SearchKey& key)
   {
     return ruc::ReadGradientCheckpoint(bytes, key);
@@ -39,7 +39,7 @@ struct ByPopulation
 {
   using Settings = ruc::PopulationSettings;
   using State = ruc::PopulationState;
-  static const Settings& Of(const CellSearch::Settings& settings) { return settings.Population; }
+  static Settings Of(const CellSearch::Settings& settings) { return settings.FindPopulation(); }
   static State Read(const std::string& bytes, const ruc::SearchKey& key)
   {
     return ruc::ReadPopulationCheckpoint(bytes, key);
@@ -345,11 +345,39 @@ private:
 };
 }
 
+ruc::PopulationSettings CellSearch::Settings::FindPopulation() const
+{
+  ruc::PopulationSettings population =
+    this->Method == HYBRID ? ruc::HybridOf(this->Annealed, this->Hybrid) : this->Annealed;
+  static_cast<ruc::SearchSettings&>(population) = this->Gradient;
+  return population;
+}
+
+void CellSearch::Settings::Check() const
+{
+  ruc::CheckRanges(*this);
+  ruc::CheckRanges(this->Gradient);
+  if (this->IsByPopulation())
+  {
+    ruc::CheckSettings(this->FindPopulation());
+  }
+}
+
+std::size_t CellSearch::FindBest(const std::vector<FoundCell>& cells)
+{
+  const auto better = [](const FoundCell& a, const FoundCell& b)
+  {
+    const bool freeA = a.Cell.Overlap.IsNone(), freeB = b.Cell.Overlap.IsNone();
+    return freeA != freeB ? freeA : a.Cell.Objective < b.Cell.Objective;
+  };
+  return std::min_element(cells.begin(), cells.end(), better) - cells.begin();
+}
+
 std::vector<CellSearch::FoundCell> CellSearch::Find(const ruc::CellContents& contents,
   const ruc::TwoPointProbability& target, const Settings& settings, const Callbacks& callbacks,
   RankCommunicator& ranks)
 {
-  return settings.ByPopulation
+  return settings.IsByPopulation()
     ? Searches<ByPopulation>(contents, target, settings, callbacks, ranks).Run()
     : Searches<ByGradient>(contents, target, settings, callbacks, ranks).Run();
 }

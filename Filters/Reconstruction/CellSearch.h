@@ -14,14 +14,44 @@ class RankCommunicator;
 /** The search for one or more cells with the same contents and target, and their checkpoints. */
 namespace CellSearch
 {
+enum Methods
+{
+  GRADIENT = 0,
+  ANNEALED_POPULATION = 1,
+  HYBRID = 2
+};
+
 struct Settings
 {
-  bool ByPopulation = false;
-  ruc::GradientSearchSettings Gradient;
-  ruc::PopulationSettings Population;
-  int NumberOfCells = 1;            // >= 1; cell n, from 0, has the seed of the settings plus n
+  int Method = GRADIENT;
+  ruc::GradientSearchSettings Gradient; // seed and target objective are those of every method
+  ruc::PopulationSettings Annealed;
+  ruc::HybridSettings Hybrid;       // the rest of a hybrid is as in Annealed
+  int NumberOfCells = 1;            // cell n, from 0, has the seed of the settings plus n
   std::string CheckpointFile;       // of one cell; of several this is followed by "." and n + 1
   double CheckpointInterval = 60.0; // seconds
+
+  /** As of ruc::SearchSettings; its own, without those of the methods. */
+  template <class Self, class Visit>
+  static void VisitSearch(Self& self, Visit&& visit)
+  {
+    visit("Method", self.Method, ruc::Range::From(GRADIENT, HYBRID));
+    visit("NumberOfCells", self.NumberOfCells, ruc::Range::AtLeast(1));
+    visit("CheckpointInterval", self.CheckpointInterval, ruc::Range::AtLeast(0));
+  }
+  template <class Self, class Visit>
+  static void VisitEnd(Self&, Visit&&)
+  {
+  }
+
+  bool IsByPopulation() const { return this->Method != GRADIENT; }
+
+  /** What a search by population is told: annealed, or the hybrid's. */
+  ruc::PopulationSettings FindPopulation() const;
+
+  /** Throws std::invalid_argument for settings out of range; those of other methods do not matter.
+   */
+  void Check() const;
 };
 
 struct FoundCell
@@ -31,6 +61,9 @@ struct FoundCell
   // F2 of the population before and after; of a gradient search that of the start and of the cell
   ruc::ObjectiveRange Before, After;
 };
+
+/** The place of the cell with the least F2, among those without overlap if there are any. */
+std::size_t FindBest(const std::vector<FoundCell>& cells);
 
 /** What the search asks and tells on the first rank of every group. */
 struct Callbacks

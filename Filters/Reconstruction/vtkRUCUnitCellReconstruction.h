@@ -49,29 +49,31 @@
 #ifndef vtkRUCUnitCellReconstruction_h
 #define vtkRUCUnitCellReconstruction_h
 
+#include "CellProperties.h"
+#include "CellSearch.h"
 #include "RUCReconstructionModule.h"
 #include "vtkRUCPackAlgorithm.h"
 
-#include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 class ProgressReport;
-namespace CellSearch
-{
-struct FoundCell;
-struct Settings;
-}
-namespace ruc
-{
-struct CellContents;
-struct CellFigures;
-struct LagGrid;
-struct ModeAmounts;
-struct TwoPointProbability;
-enum class EndReason : std::uint8_t;
-}
+struct RunProgress;
+
+/** The setter and the getter of a property that stands at `place`, a setting of the core. */
+#define RUCSetting(name, type, place)                                                              \
+  void Set##name(type value)                                                                       \
+  {                                                                                                \
+    if (this->Get##name() != value)                                                                \
+    {                                                                                              \
+      this->place = value;                                                                         \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  type Get##name() const                                                                           \
+  {                                                                                                \
+    return static_cast<type>(this->place);                                                         \
+  }
 
 class RUCRECONSTRUCTION_EXPORT vtkRUCUnitCellReconstruction : public vtkRUCPackAlgorithm
 {
@@ -82,205 +84,98 @@ public:
 
   enum Methods
   {
-    GRADIENT = 0,
-    ANNEALED_POPULATION = 1,
-    HYBRID = 2
+    GRADIENT = CellSearch::GRADIENT,
+    ANNEALED_POPULATION = CellSearch::ANNEALED_POPULATION,
+    HYBRID = CellSearch::HYBRID
   };
 
-  ///@{
-  /** How the centres are found. Default: GRADIENT. */
-  vtkSetMacro(Method, int);
-  vtkGetMacro(Method, int);
-  ///@}
-  ///@{
-  /** Independent cells, >= 1. Default: 1. */
-  vtkSetMacro(NumberOfCells, int);
-  vtkGetMacro(NumberOfCells, int);
-  ///@}
-  ///@{
-  /** Diameters of the modes' spheres in the cell, each > 0, one for each mode. Required with a
+  /** How the centres are found. */
+  RUCSetting(Method, int, Search.Method);
+  /** Independent cells. */
+  RUCSetting(NumberOfCells, int, Search.NumberOfCells);
+  /** Diameters of the modes' spheres in the cell, one for each mode. Required with a
    * table; with a pack they take the place of its own. Default: none. */
   void ClearModeDiameters();
   void SetModeDiameter(int i, double diameter);
-  ///@}
-  ///@{
   /** Spheres of every mode in the cell, each >= 1, in place of CellSize and NumberOfParticles.
    * Default: none. */
   void ClearModeCounts();
   void SetModeCount(int i, int count);
-  ///@}
-  ///@{
   /** Spheres in the cell, at least one of every mode. Default: 0, from CellSize. */
-  vtkSetMacro(NumberOfParticles, int);
-  vtkGetMacro(NumberOfParticles, int);
-  ///@}
-  ///@{
+  RUCSetting(NumberOfParticles, int, Cell.NumberOfParticles);
   /** First guess h_0 of the cell's edge. Default: 0, twice the saturation length of the pack's
    * S_rs. */
-  vtkSetMacro(CellSize, double);
-  vtkGetMacro(CellSize, double);
-  ///@}
-  ///@{
+  RUCSetting(CellSize, double, Cell.CellSize);
   /** The last lag of F2. Default: 0, half the cell's edge. Limits as in vtkRUCTwoPointProbability.
    */
-  vtkSetMacro(MaximumLag, double);
-  vtkGetMacro(MaximumLag, double);
-  ///@}
-  ///@{
-  /** K, the number of lags after 0; 1 to 100 000. Default: 277. */
-  vtkSetMacro(NumberOfLags, int);
-  vtkGetMacro(NumberOfLags, int);
-  ///@}
-  ///@{
-  /** Tolerance of the saturation length, as in vtkRUCTwoPointProbability; > 0. Default: 0.0005. */
-  vtkSetMacro(SaturationTolerance, double);
-  vtkGetMacro(SaturationTolerance, double);
-  ///@}
-  ///@{
-  /** Iterations of L-BFGS, >= 0. Default: 1000. The search ends before when F2 no longer falls by
+  RUCSetting(MaximumLag, double, Cell.MaximumLag);
+  /** K, the number of lags after 0. */
+  RUCSetting(NumberOfLags, int, Cell.NumberOfLags);
+  /** Tolerance of the saturation length, as in vtkRUCTwoPointProbability;. */
+  RUCSetting(SaturationTolerance, double, Cell.SaturationTolerance);
+  /** Iterations of L-BFGS. The search ends before when F2 no longer falls by
    * 0.1 % in 100 iterations. */
-  vtkSetMacro(MaximumIterations, int);
-  vtkGetMacro(MaximumIterations, int);
-  ///@}
-  ///@{
-  /** The search ends when a cell without overlap has F2 at or below this; >= 0. Default: 0. */
-  vtkSetMacro(TargetObjective, double);
-  vtkGetMacro(TargetObjective, double);
-  ///@}
-  ///@{
+  RUCSetting(MaximumIterations, int, Search.Gradient.MaximumIterations);
+  /** The search ends when a cell without overlap has F2 at or below this;. */
+  RUCSetting(TargetObjective, double, Search.Gradient.TargetObjective);
   /** Seconds after which the search ends with the best cell so far; >= 0. Default: 0, no limit. */
   vtkSetMacro(TimeLimit, double);
   vtkGetMacro(TimeLimit, double);
-  ///@}
-  ///@{
   /** The search ends with the best cell so far once a file of this name exists where rank 0 runs.
    * Default: empty. */
   vtkSetStdStringFromCharMacro(StopFile);
   vtkGetCharFromStdStringMacro(StopFile);
-  ///@}
-  ///@{
-  /** Seed of all random numbers; >= 0. Cell n has Seed + n - 1. Default: 1. */
-  vtkSetMacro(Seed, int);
-  vtkGetMacro(Seed, int);
-  ///@}
-  ///@{
+  /** Seed of all random numbers. Cell n has Seed + n - 1. */
+  RUCSetting(Seed, int, Search.Gradient.Seed);
   /** File that holds the state of the search where rank 0 runs; of several cells one each, with .1,
    * .2, … after this name. Default: empty, none. */
-  vtkSetStdStringFromCharMacro(CheckpointFile);
-  vtkGetCharFromStdStringMacro(CheckpointFile);
-  ///@}
-  ///@{
-  /** Seconds between two states that are written, >= 0. Default: 60. */
-  vtkSetMacro(CheckpointInterval, double);
-  vtkGetMacro(CheckpointInterval, double);
-  ///@}
+  void SetCheckpointFile(const char* name);
+  const char* GetCheckpointFile() const { return this->Search.CheckpointFile.c_str(); }
+  /** Seconds between two states that are written. */
+  RUCSetting(CheckpointInterval, double, Search.CheckpointInterval);
 
-  // Annealed Population, with the paper's numbers as defaults where it gives one; the last four of
-  // Hybrid. See Core/Reconstruction/PopulationSearch.h.
-  ///@{
-  /** N_i, individuals, >= 2. Default: 512. */
-  vtkSetMacro(Population, int);
-  vtkGetMacro(Population, int);
-  ///@}
-  ///@{
-  /** Share of the first population at random; the others by ballistic deposition. In [0, 1].
-   * Default: 0.5. */
-  vtkSetMacro(RandomShare, double);
-  vtkGetMacro(RandomShare, double);
-  ///@}
-  ///@{
-  /** Overlap (a + b - d) / (a + b) that the ballistic deposition allows, in [0, 1]. Default: 0.25.
-   */
-  vtkSetMacro(DepositionDegree, double);
-  vtkGetMacro(DepositionDegree, double);
-  ///@}
-  ///@{
-  /** m, individuals in the mating pool, 1 to Population. Default: 16. */
-  vtkSetMacro(MatingPool, int);
-  vtkGetMacro(MatingPool, int);
-  ///@}
-  ///@{
-  /** >= 0. Default: 10 000. */
-  vtkSetMacro(MaximumGenerations, int);
-  vtkGetMacro(MaximumGenerations, int);
-  ///@}
-  ///@{
-  /** Generations without a better best individual that end the search, >= 1. Default: 300. */
-  vtkSetMacro(PatienceGenerations, int);
-  vtkGetMacro(PatienceGenerations, int);
-  ///@}
-  ///@{
-  /** Expected copies of the best individual in the roulette by rank, in [1, 2]. Default: 1.5. */
-  vtkSetMacro(SelectionPressure, double);
-  vtkGetMacro(SelectionPressure, double);
-  ///@}
-  ///@{
-  /** Overlap in percent at which the penalty p of equation (15) is 1/2, > 0. Default: 1. */
-  vtkSetMacro(HalfOverlap, double);
-  vtkGetMacro(HalfOverlap, double);
-  ///@}
-  ///@{
-  /** Share of the spheres that an operator on some of them changes, in (0, 1]. Default: 0.01. */
-  vtkSetMacro(MutatedShare, double);
-  vtkGetMacro(MutatedShare, double);
-  ///@}
-  ///@{
-  /** b of the non-uniform mutations, >= 0. Default: 2. */
-  vtkSetMacro(MutationShape, double);
-  vtkGetMacro(MutationShape, double);
-  ///@}
-  ///@{
-  /** Longest step of the non-uniform mutations in half edges, in (0, 1]. Default: 1. */
-  vtkSetMacro(MutationReach, double);
-  vtkGetMacro(MutationReach, double);
-  ///@}
-  ///@{
-  /** G of the non-uniform mutations, >= 1. Default: 10 000. */
-  vtkSetMacro(MutationGenerations, int);
-  vtkGetMacro(MutationGenerations, int);
-  ///@}
-  ///@{
-  /** Probability of the mass-spring mutation of a child, in [0, 1]. Default: 0.9. */
-  vtkSetMacro(MassSpringProbability, double);
-  vtkGetMacro(MassSpringProbability, double);
-  ///@}
-  ///@{
-  /** T of the acceptance, in units of the fitness, > 0. Default: 0.001. */
-  vtkSetMacro(InitialTemperature, double);
-  vtkGetMacro(InitialTemperature, double);
-  ///@}
-  ///@{
-  /** Factor of T in a generation, in (0, 1]. Default: 0.98. */
-  vtkSetMacro(CoolingFactor, double);
-  vtkGetMacro(CoolingFactor, double);
-  ///@}
-  ///@{
-  /** Generations without a better best individual after which T is the initial one again, >= 1.
-   * Default: 100. */
-  vtkSetMacro(ReheatingGenerations, int);
-  vtkGetMacro(ReheatingGenerations, int);
-  ///@}
-  ///@{
-  /** Individuals of Hybrid, >= 2. Default: 16. */
-  vtkSetMacro(HybridPopulation, int);
-  vtkGetMacro(HybridPopulation, int);
-  ///@}
-  ///@{
-  /** Individuals in the mating pool of Hybrid, 1 to HybridPopulation. Default: 1. */
-  vtkSetMacro(HybridMatingPool, int);
-  vtkGetMacro(HybridMatingPool, int);
-  ///@}
-  ///@{
-  /** MutationReach of Hybrid, in (0, 1]. Default: 0.1. */
-  vtkSetMacro(HybridMutationReach, double);
-  vtkGetMacro(HybridMutationReach, double);
-  ///@}
-  ///@{
-  /** Steps of L-BFGS of Hybrid at a time, >= 1. Default: 100. */
-  vtkSetMacro(RefinementSteps, int);
-  vtkGetMacro(RefinementSteps, int);
-  ///@}
-  ///@{
+  // Annealed Population, and the last four before the weights of Hybrid. Defaults and ranges stand
+  // in Core/Reconstruction/Population/PopulationSettings.h.
+  /** N_i, individuals. */
+  RUCSetting(Population, int, Search.Annealed.Population);
+  /** Share of the first population at random; the others by ballistic deposition. */
+  RUCSetting(RandomShare, double, Search.Annealed.RandomShare);
+  /** Overlap (a + b - d) / (a + b) that the ballistic deposition allows. */
+  RUCSetting(DepositionDegree, double, Search.Annealed.DepositionDegree);
+  /** m, individuals in the mating pool. */
+  RUCSetting(MatingPool, int, Search.Annealed.MatingPool);
+  /**. */
+  RUCSetting(MaximumGenerations, int, Search.Annealed.MaximumGenerations);
+  /** Generations without a better best individual that end the search. */
+  RUCSetting(PatienceGenerations, int, Search.Annealed.PatienceGenerations);
+  /** Expected copies of the best individual in the roulette by rank. */
+  RUCSetting(SelectionPressure, double, Search.Annealed.SelectionPressure);
+  /** Overlap in percent at which the penalty p of equation (15) is 1/2. */
+  RUCSetting(HalfOverlap, double, Search.Annealed.HalfOverlap);
+  /** Share of the spheres that an operator on some of them changes. */
+  RUCSetting(MutatedShare, double, Search.Annealed.MutatedShare);
+  /** b of the non-uniform mutations. */
+  RUCSetting(MutationShape, double, Search.Annealed.MutationShape);
+  /** Longest step of the non-uniform mutations in half edges. */
+  RUCSetting(MutationReach, double, Search.Annealed.MutationReach);
+  /** G of the non-uniform mutations. */
+  RUCSetting(MutationGenerations, int, Search.Annealed.MutationGenerations);
+  /** Probability of the mass-spring mutation of a child. */
+  RUCSetting(MassSpringProbability, double, Search.Annealed.MassSpringProbability);
+  /** T of the acceptance, in units of the fitness. */
+  RUCSetting(InitialTemperature, double, Search.Annealed.InitialTemperature);
+  /** Factor of T in a generation. */
+  RUCSetting(CoolingFactor, double, Search.Annealed.CoolingFactor);
+  /** Generations without a better best individual after which T is the initial one again. */
+  RUCSetting(ReheatingGenerations, int, Search.Annealed.ReheatingGenerations);
+  /** Individuals of Hybrid. */
+  RUCSetting(HybridPopulation, int, Search.Hybrid.Population);
+  /** Individuals in the mating pool of Hybrid. */
+  RUCSetting(HybridMatingPool, int, Search.Hybrid.MatingPool);
+  /** MutationReach of Hybrid. */
+  RUCSetting(HybridMutationReach, double, Search.Hybrid.MutationReach);
+  /** Steps of L-BFGS of Hybrid at a time. */
+  RUCSetting(RefinementSteps, int, Search.Hybrid.RefinementSteps);
   /**
    * Eight weights, >= 0, by which one of the operators is drawn: uniform, boundary, non-uniform and
    * multi-non-uniform mutation, simple, simple arithmetic, whole arithmetic and heuristic
@@ -288,7 +183,6 @@ public:
    */
   void ClearOperatorWeights();
   void SetOperatorWeight(int i, double weight);
-  ///@}
 
 protected:
   vtkRUCUnitCellReconstruction();
@@ -306,67 +200,24 @@ private:
   vtkRUCUnitCellReconstruction(const vtkRUCUnitCellReconstruction&) = delete;
   void operator=(const vtkRUCUnitCellReconstruction&) = delete;
 
-  void ValidateProperties() const;
-  // The spheres, density and sizes of a cell, and `input`, the work on the pack before the search
-  ruc::CellFigures FindCellFigures(ruc::LagGrid& lags, ruc::Estimate& input);
-  ruc::ModeAmounts FindAmounts(const ruc::ModeAmounts& ofInput) const;
-  // `findEdge` is called when nothing else tells the size
-  ruc::CellContents FindContents(
-    const ruc::ModeAmounts& amounts, const std::function<double()>& findEdge) const;
+  void CheckProperties() const;
   // Twice the saturation length, or with a warning the last lag
   double FindEdge(
     const ruc::TwoPointProbability& probability, double diameter, RankCommunicator& ranks);
-  CellSearch::Settings GetSearchSettings() const;
   // Why the search should end now, for a reason from outside
   ruc::EndReason FindStopReason(const ProgressReport& report);
   // Searches, and fills the outputs
   void Reconstruct(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
     const std::string& lengthUnit, vtkInformationVector* outputs, RankCommunicator& ranks,
     ProgressReport& report);
-  void FillOutputs(const std::vector<CellSearch::FoundCell>& cells, std::size_t best,
-    const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
-    const std::string& lengthUnit, vtkInformationVector* outputs, RankCommunicator& ranks);
-  void AddCellFields(vtkDataObject* data, const CellSearch::FoundCell& found,
-    const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
-    const std::string& lengthUnit) const;
+  RunProgress DescribeProgress(int cell, const ruc::SearchState& state) const;
+  void WarnOf(const std::vector<CellSearch::FoundCell>& cells);
 
-  int Method = GRADIENT;
-  int NumberOfParticles = 0;
-  double CellSize = 0.0;
-  double MaximumLag = 0.0;
-  int NumberOfLags = 277;
-  double SaturationTolerance = 0.0005;
-  int MaximumIterations = 1000;
-  double TargetObjective = 0.0;
+  CellProperties Cell;
+  CellSearch::Settings Search;
+  int NumberOfOperatorWeights = ruc::NumberOfGeneticOperators; // given, of which as many are kept
   double TimeLimit = 0.0;
   std::string StopFile;
-  int Seed = 1;
-  int NumberOfCells = 1;
-  std::vector<double> ModeDiameters;
-  std::vector<int> ModeCounts;
-  std::string CheckpointFile;
-  double CheckpointInterval = 60.0;
-  int Population = 512;
-  double RandomShare = 0.5;
-  double DepositionDegree = 0.25;
-  int MatingPool = 16;
-  int MaximumGenerations = 10000;
-  int PatienceGenerations = 300;
-  double SelectionPressure = 1.5;
-  double HalfOverlap = 1.0;
-  double MutatedShare = 0.01;
-  double MutationShape = 2.0;
-  double MutationReach = 1.0;
-  int MutationGenerations = 10000;
-  double MassSpringProbability = 0.9;
-  double InitialTemperature = 1e-3;
-  double CoolingFactor = 0.98;
-  int ReheatingGenerations = 100;
-  int HybridPopulation = 16;
-  int HybridMatingPool = 1;
-  double HybridMutationReach = 0.1;
-  int RefinementSteps = 100;
-  std::vector<double> OperatorWeights = { 1, 1, 1, 1, 1, 1, 1, 1 };
 };
 
 #endif

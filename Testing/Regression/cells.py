@@ -214,9 +214,9 @@ def refused_settings():
                        ({'Population': 1}, ['Population requires Population >= 2, got 1']),
                        ({'MatingPool': 13}, ['MatingPool requires 1 <= MatingPool <= Population (12), got 13']),
                        ({'MatingPool': 0}, ['MatingPool requires', 'got 0']),
-                       ({'NumberOfCells': 0}, ['NumberOfCells requires a number >= 1, got 0']),
+                       ({'NumberOfCells': 0}, ['NumberOfCells requires NumberOfCells >= 1, got 0']),
                        ({'NumberOfCells': -3}, ['NumberOfCells requires', 'got -3']),
-                       ({'CheckpointInterval': -1.0}, ['CheckpointInterval requires a number of seconds >= 0, got -1']),
+                       ({'CheckpointInterval': -1.0}, ['CheckpointInterval requires CheckpointInterval >= 0, got -1']),
                        ({'MaximumGenerations': -1}, ['MaximumGenerations requires', 'got -1']),
                        ({'RandomShare': 1.5}, ['RandomShare requires', 'got 1.5']),
                        ({'DepositionDegree': -0.1}, ['DepositionDegree requires', 'got -0.1']),
@@ -224,6 +224,7 @@ def refused_settings():
                        ({'SelectionPressure': 2.5}, ['SelectionPressure requires', 'got 2.5']),
                        ({'OperatorWeights': [0.0] * 8}, ['OperatorWeights requires a sum > 0']),
                        ({'OperatorWeights': [1.0] * 7}, ['OperatorWeights requires 8 numbers, got 7']),
+                       ({'OperatorWeights': [1.0] * 30}, ['OperatorWeights requires 8 numbers, got 30']),
                        ({'OperatorWeights': [-1.0] + [1.0] * 7}, ['OperatorWeights requires', 'got -1']),
                        ({'ModeCounts': [20, 40]}, ['NumberOfParticles requires 0 when ModeCounts are set, got 60']),
                        ({'NumberOfParticles': 0, 'ModeCounts': [20, 40], 'CellSize': 4.0}, ['CellSize requires 0 when ModeCounts are set']),
@@ -239,11 +240,11 @@ def refused_settings():
         assert spheres(fetch(search)) == expected, bad
     hybrid = UnitCellReconstruction(Input=PACK, Method='Hybrid', **SMALL, **METHODS['Hybrid'])
     expected = spheres(fetch(hybrid))
-    for bad, former, parts in (({'HybridPopulation': 1}, {'HybridPopulation': 4}, ['HybridPopulation requires a number >= 2, got 1']),
-                               ({'HybridMatingPool': 5}, {'HybridMatingPool': 2}, ['HybridMatingPool requires', 'HybridPopulation, got 5']),
-                               ({'HybridMatingPool': 0}, {'HybridMatingPool': 2}, ['HybridMatingPool requires', 'HybridPopulation, got 0']),
+    for bad, former, parts in (({'HybridPopulation': 1}, {'HybridPopulation': 4}, ['HybridPopulation requires HybridPopulation >= 2, got 1']),
+                               ({'HybridMatingPool': 5}, {'HybridMatingPool': 2}, ['HybridMatingPool requires', 'HybridPopulation (4), got 5']),
+                               ({'HybridMatingPool': 0}, {'HybridMatingPool': 2}, ['HybridMatingPool requires', 'got 0']),
                                ({'HybridMutationReach': 1.5}, {'HybridMutationReach': 0.1}, ['HybridMutationReach requires', 'got 1.5']),
-                               ({'RefinementSteps': 0}, {'RefinementSteps': 5}, ['RefinementSteps requires a number >= 1, got 0']),
+                               ({'RefinementSteps': 0}, {'RefinementSteps': 5}, ['RefinementSteps requires RefinementSteps >= 1, got 0']),
                                ({'Population': 1}, {'Population': 512}, None)):  # not a setting of Hybrid
         for name, value in bad.items():
             setattr(hybrid, name, value)

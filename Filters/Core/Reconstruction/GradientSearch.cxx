@@ -255,6 +255,7 @@ UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbabilit
   const std::function<bool(const SearchState&)>& carryOn, const GradientState* resume,
   const std::function<void(const GradientState&)>& save)
 {
+  CheckRanges(settings);
   Search search(contents, target, settings, communicator, carryOn, save);
   if (resume)
   {

@@ -7,6 +7,7 @@
 #include "ruc/Reconstruction/CellContents.h"
 #include "ruc/Reconstruction/CellObjective.h"
 #include "ruc/Reconstruction/Descent.h"
+#include "ruc/Reconstruction/SearchSettings.h"
 #include "ruc/Reconstruction/UnitCell.h"
 #include "ruc/Statistics/Results/TwoPointProbability.h"
 
@@ -16,11 +17,16 @@
 
 namespace ruc
 {
-struct GradientSearchSettings
+struct GradientSearchSettings : SearchSettings
 {
-  std::uint32_t Seed = 1;
-  int MaximumIterations = 1000; // >= 0; 0 gives the start with its overlap removed
-  double TargetObjective = 0.0; // ends the search when a cell without overlap has F2 at or below it
+  int MaximumIterations = 1000; // 0 gives the start with its overlap removed
+
+  template <class Self, class Visit>
+  static void VisitEnd(Self& self, Visit&& visit)
+  {
+    SearchSettings::VisitEnd(self, visit);
+    visit("MaximumIterations", self.MaximumIterations, Range::AtLeast(0));
+  }
 };
 
 /** A descent has converged when F2 fell by less than this share in IterationsBetweenKept. */
@@ -60,7 +66,7 @@ struct GradientState
  * is asked on every rank in every iteration; when it returns false on any, the search ends with the
  * best cell so far. `save`, if any, is given the state after every iteration of L-BFGS. `resume` is
  * a state to go on from, on any number of ranks; throws std::invalid_argument if it is not one of
- * these contents.
+ * these contents, and for settings out of range.
  */
 UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbability& target,
   const GradientSearchSettings& settings, Communicator& communicator,

@@ -158,7 +158,7 @@ TEST(Estimates, OfSearchesGrowWithTheirIterations)
   settings.MatingPool *= 3;
   EXPECT_NEAR((population().Seconds - none) / ten, 3.0, 1e-9);
 
-  ruc::PopulationSettings hybrid = ruc::HybridSettings();
+  ruc::PopulationSettings hybrid = ruc::HybridOf({}, {});
   hybrid.MaximumGenerations = 7;
   const double descents = ruc::EstimatePopulationSearch(cell, lags, hybrid).Seconds;
   hybrid.MaximumGenerations = 0;
