@@ -102,28 +102,6 @@ void ExpectShare(int count, int of, double probability)
 }
 }
 
-TEST(GeneticOperators, SequencesAreTheTriplesOfTheirSamples)
-{
-  RandomSequence random(5, ruc::RandomStream::MutationOperator, 7);
-  for (int n = 0; n < 4; ++n)
-  {
-    for (double u :
-      ruc::UniformTriple(5, ruc::RandomStream::MutationOperator, (std::uint64_t(7) << 24) + n))
-    {
-      EXPECT_EQ(random.Next(), u);
-    }
-  }
-  std::vector<int> counts(5, 0);
-  for (int n = 0; n < 10000; ++n)
-  {
-    ++counts.at(random.NextIndex(5));
-  }
-  for (int count : counts)
-  {
-    ExpectShare(count, 10000, 0.2);
-  }
-}
-
 TEST(GeneticOperators, UniformMutationPutsSpheresAnywhere)
 {
   const Chromosome parent = Parent(1);
