@@ -68,16 +68,11 @@ private:
   std::vector<int> Vertex;
   std::vector<double> From;
 };
-}
 
-VoxelMask::VoxelMask(const std::array<int, 3>& dimensions, const Vector3& lower,
-  const Vector3& spacing, std::vector<std::uint8_t> inside)
-  : Dimensions(dimensions)
-  , Lower(lower)
-  , Spacing(spacing)
-  , Inside(std::move(inside))
+void CheckImage(const std::array<int, 3>& dimensions, const Vector3& lower, const Vector3& spacing,
+  std::size_t voxels)
 {
-  double voxels = 1.0;
+  double product = 1.0;
   for (int q = 0; q < 3; ++q)
   {
     if (dimensions[q] < 1)
@@ -91,14 +86,93 @@ VoxelMask::VoxelMask(const std::array<int, 3>& dimensions, const Vector3& lower,
         Text("Mask requires a finite origin and finite spacings > 0, got ", lower[0], " ", lower[1],
           " ", lower[2], " and ", spacing[0], " ", spacing[1], " ", spacing[2], "."));
     }
-    voxels *= dimensions[q];
+    product *= dimensions[q];
   }
-  if (voxels != static_cast<double>(this->Inside.size()))
+  if (product != static_cast<double>(voxels))
   {
-    throw std::invalid_argument(
-      Text("Mask requires ", voxels, " voxels, got ", this->Inside.size(), "."));
+    throw std::invalid_argument(Text("Mask requires ", product, " voxels, got ", voxels, "."));
   }
+}
 
+std::array<std::size_t, 3> StridesOf(const std::array<int, 3>& dimensions)
+{
+  const std::size_t row = dimensions[0];
+  return { 1, row, row * dimensions[1] };
+}
+
+// The inside voxels that touch neither an outside one, by a face, an edge or a corner, nor the
+// border of the image
+std::vector<std::uint8_t> WithoutRim(
+  const std::vector<std::uint8_t>& inside, const std::array<int, 3>& dimensions)
+{
+  const std::array<std::size_t, 3> strides = StridesOf(dimensions);
+  std::vector<std::uint8_t> apart = inside;
+  for (int q = 0; q < 3; ++q)
+  {
+    const std::vector<std::uint8_t> before = apart;
+    for (std::size_t n = 0; n < apart.size(); ++n)
+    {
+      const int along = static_cast<int>(n / strides[q] % dimensions[q]);
+      apart[n] = along > 0 && along + 1 < dimensions[q] && before[n] && before[n - strides[q]] &&
+        before[n + strides[q]];
+    }
+  }
+  return apart;
+}
+
+// The squared distance of every voxel's centre from the nearest centre of a voxel that is 0
+std::vector<double> SquaredDistances(const std::vector<std::uint8_t>& voxels,
+  const std::array<int, 3>& dimensions, const Vector3& spacing)
+{
+  const std::array<std::size_t, 3> strides = StridesOf(dimensions);
+  const double far =
+    std::hypot(dimensions[0] * spacing[0], dimensions[1] * spacing[1], dimensions[2] * spacing[2]);
+  std::vector<double> distance2(voxels.size());
+  std::transform(voxels.begin(), voxels.end(), distance2.begin(),
+    [&](std::uint8_t voxel) { return voxel ? far * far : 0.0; });
+  for (int q = 0; q < 3; ++q)
+  {
+    const int other = q == 2 ? 1 : 2; // the slower of the other two axes
+    const int another = 3 - q - other;
+#pragma omp parallel
+    {
+      ParabolaEnvelope envelope(dimensions[q]);
+#pragma omp for schedule(static)
+      for (int a = 0; a < dimensions[other]; ++a)
+      {
+        for (int b = 0; b < dimensions[another]; ++b)
+        {
+          envelope.Transform(
+            distance2.data() + a * strides[other] + b * strides[another], strides[q], spacing[q]);
+        }
+      }
+    }
+  }
+  return distance2;
+}
+
+// Appends what follows the last interval, or continues it
+void Append(const LineInterval& part, std::vector<LineInterval>& intervals)
+{
+  if (!intervals.empty() && intervals.back().End == part.Begin)
+  {
+    intervals.back().End = part.End;
+  }
+  else
+  {
+    intervals.push_back(part);
+  }
+}
+}
+
+VoxelMask::VoxelMask(const std::array<int, 3>& dimensions, const Vector3& lower,
+  const Vector3& spacing, std::vector<std::uint8_t> inside)
+  : Dimensions(dimensions)
+  , Lower(lower)
+  , Spacing(spacing)
+  , Inside(std::move(inside))
+{
+  CheckImage(dimensions, lower, spacing, this->Inside.size());
   std::array<int, 3> first = dimensions, last = { -1, -1, -1 };
   std::size_t n = 0;
   for (int z = 0; z < dimensions[2]; ++z)
@@ -160,52 +234,15 @@ VoxelMask VoxelMask::Eroded(double margin) const
   {
     return *this;
   }
-  const auto [nx, ny, nz] = this->Dimensions;
-  const std::size_t strides[3] = { 1, std::size_t(nx), std::size_t(nx) * ny };
-  const std::size_t voxels = this->Inside.size();
-
   // Voxels that touch an outside one, or the border, are at no distance from it. From there on the
   // distance of two boxes of voxels is that of their centres less one spacing along each axis, so
   // it is the distance of centres from these voxels.
-  std::vector<std::uint8_t> apart = this->Inside;
-  for (int q = 0; q < 3; ++q)
-  {
-    const std::vector<std::uint8_t> before = apart;
-    for (std::size_t n = 0; n < voxels; ++n)
-    {
-      const int along = static_cast<int>(n / strides[q] % this->Dimensions[q]);
-      apart[n] = along > 0 && along + 1 < this->Dimensions[q] && before[n] &&
-        before[n - strides[q]] && before[n + strides[q]];
-    }
-  }
-  const double far =
-    std::hypot(nx * this->Spacing[0], ny * this->Spacing[1], nz * this->Spacing[2]);
-  std::vector<double> distance2(voxels);
-  std::transform(apart.begin(), apart.end(), distance2.begin(),
-    [&](std::uint8_t a) { return a ? far * far : 0.0; });
-  for (int q = 0; q < 3; ++q)
-  {
-    const int other = q == 2 ? 1 : 2; // the slower of the other two axes
-    const int another = 3 - q - other;
-#pragma omp parallel
-    {
-      ParabolaEnvelope envelope(this->Dimensions[q]);
-#pragma omp for schedule(static)
-      for (int a = 0; a < this->Dimensions[other]; ++a)
-      {
-        for (int b = 0; b < this->Dimensions[another]; ++b)
-        {
-          envelope.Transform(distance2.data() + a * strides[other] + b * strides[another],
-            strides[q], this->Spacing[q]);
-        }
-      }
-    }
-  }
-
-  std::vector<std::uint8_t> kept(voxels);
+  const std::vector<double> distance2 =
+    SquaredDistances(WithoutRim(this->Inside, this->Dimensions), this->Dimensions, this->Spacing);
+  std::vector<std::uint8_t> kept(this->Inside.size());
   const double least = margin * (1.0 - 1e-9);
   bool any = false;
-  for (std::size_t n = 0; n < voxels; ++n)
+  for (std::size_t n = 0; n < kept.size(); ++n)
   {
     kept[n] = this->Inside[n] && distance2[n] >= least * least;
     any = any || kept[n];
@@ -218,11 +255,10 @@ VoxelMask VoxelMask::Eroded(double margin) const
   return VoxelMask(this->Dimensions, this->Lower, this->Spacing, std::move(kept));
 }
 
-void VoxelMask::Intersect(const Vector3& start, const Vector3& direction, double length,
-  std::vector<LineInterval>& intervals) const
+LineInterval VoxelMask::ClipToImage(
+  const Vector3& start, const Vector3& direction, double length) const
 {
-  intervals.clear();
-  double begin = 0.0, end = length;
+  LineInterval part = { 0.0, length };
   for (int q = 0; q < 3; ++q)
   {
     const double low = this->Lower[q];
@@ -231,19 +267,26 @@ void VoxelMask::Intersect(const Vector3& start, const Vector3& direction, double
     {
       if (start[q] < low || start[q] >= high)
       {
-        return;
+        return { 0.0, 0.0 };
       }
       continue;
     }
     const double t0 = (low - start[q]) / direction[q], t1 = (high - start[q]) / direction[q];
-    begin = std::max(begin, std::min(t0, t1));
-    end = std::min(end, std::max(t0, t1));
+    part.Begin = std::max(part.Begin, std::min(t0, t1));
+    part.End = std::min(part.End, std::max(t0, t1));
   }
-  if (!(begin < end))
+  return part;
+}
+
+void VoxelMask::Intersect(const Vector3& start, const Vector3& direction, double length,
+  std::vector<LineInterval>& intervals) const
+{
+  intervals.clear();
+  const LineInterval image = this->ClipToImage(start, direction, length);
+  if (!(image.Begin < image.End))
   {
     return;
   }
-
   int voxel[3], step[3];
   double next[3]; // where the line leaves the voxel along each axis
   const auto leaves = [&](int q)
@@ -254,26 +297,19 @@ void VoxelMask::Intersect(const Vector3& start, const Vector3& direction, double
   };
   for (int q = 0; q < 3; ++q)
   {
-    const double place = (start[q] + begin * direction[q] - this->Lower[q]) / this->Spacing[q];
+    const double place =
+      (start[q] + image.Begin * direction[q] - this->Lower[q]) / this->Spacing[q];
     voxel[q] = std::clamp(static_cast<int>(std::floor(place)), 0, this->Dimensions[q] - 1);
     step[q] = direction[q] > 0.0 ? 1 : direction[q] < 0.0 ? -1 : 0;
     next[q] = leaves(q);
   }
-  double t = begin;
-  while (t < end)
+  for (double t = image.Begin; t < image.End;)
   {
     const int q = static_cast<int>(std::min_element(next, next + 3) - next);
-    const double after = std::clamp(next[q], t, end);
+    const double after = std::clamp(next[q], t, image.End);
     if (after > t && this->Inside[this->VoxelAt(voxel[0], voxel[1], voxel[2])])
     {
-      if (!intervals.empty() && intervals.back().End == t)
-      {
-        intervals.back().End = after;
-      }
-      else
-      {
-        intervals.push_back({ t, after });
-      }
+      Append({ t, after }, intervals);
     }
     t = after;
     voxel[q] += step[q];

@@ -63,6 +63,10 @@ public:
     std::vector<LineInterval>& intervals) const;
 
 private:
+  /** The part of the line of Intersect in the image; none, with Begin >= End, where it misses it.
+   */
+  LineInterval ClipToImage(const Vector3& start, const Vector3& direction, double length) const;
+
   std::size_t VoxelAt(int x, int y, int z) const
   {
     return x +

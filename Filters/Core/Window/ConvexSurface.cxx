@@ -9,6 +9,105 @@
 
 namespace ruc
 {
+namespace
+{
+// The part of a polyhedron where heights are >= 0, corner by corner of the faces of the whole
+class Half
+{
+public:
+  Half(const ConvexSurface& whole, const std::vector<double>& height, int axis, double level)
+    : Whole(whole)
+    , Height(height)
+    , Axis(axis)
+    , Level(level)
+  {
+  }
+
+  void AddPartOf(const std::vector<int>& face)
+  {
+    std::vector<int> part;
+    std::vector<bool> onPlane;
+    for (std::size_t k = 0; k < face.size(); ++k)
+    {
+      const int a = face[k];
+      const int b = face[(k + 1) % face.size()];
+      if (this->Height[a] >= 0.0)
+      {
+        part.push_back(this->Add(a, a));
+        onPlane.push_back(this->Height[a] == 0.0);
+      }
+      if (this->Height[a] * this->Height[b] < 0.0)
+      {
+        part.push_back(this->Add(a, b));
+        onPlane.push_back(true);
+      }
+    }
+    for (std::size_t k = 0; k < part.size(); ++k)
+    {
+      const std::size_t next = (k + 1) % part.size();
+      if (onPlane[k] && onPlane[next])
+      {
+        this->Rim[part[next]] = part[k];
+      }
+    }
+    this->Kept.Faces.push_back(part);
+  }
+
+  ConvexSurface Close()
+  {
+    if (!this->Rim.empty())
+    {
+      std::vector<int> closing;
+      for (int i = this->Rim.begin()->first; closing.size() < this->Rim.size(); i = this->Rim.at(i))
+      {
+        closing.push_back(i);
+      }
+      this->Kept.Faces.push_back(closing);
+    }
+    return std::move(this->Kept);
+  }
+
+private:
+  // The number of point a, where b is the same, or of where the plane cuts the edge from a to b
+  int Add(int a, int b)
+  {
+    const auto ends = std::minmax(a, b);
+    const auto [found, isNew] =
+      this->Numbers.try_emplace(ends, static_cast<int>(this->Kept.Points.size()));
+    if (isNew)
+    {
+      this->Kept.Points.push_back(
+        a == b ? this->Whole.Points[a] : this->CutEdge(ends.first, ends.second));
+    }
+    return found->second;
+  }
+
+  Vector3 CutEdge(int a, int b) const
+  {
+    // From the lower end, whichever half is kept
+    const bool upwards = this->Whole.Points[a][this->Axis] < this->Whole.Points[b][this->Axis];
+    const Vector3& low = this->Whole.Points[upwards ? a : b];
+    const Vector3& high = this->Whole.Points[upwards ? b : a];
+    const double part = (this->Level - low[this->Axis]) / (high[this->Axis] - low[this->Axis]);
+    Vector3 point;
+    for (int q = 0; q < 3; ++q)
+    {
+      point[q] = low[q] + part * (high[q] - low[q]);
+    }
+    point[this->Axis] = this->Level;
+    return point;
+  }
+
+  const ConvexSurface& Whole;
+  const std::vector<double>& Height; // of the points of the whole
+  const int Axis;
+  const double Level;
+  ConvexSurface Kept;
+  std::map<std::pair<int, int>, int> Numbers; // of a point twice, or of the ends of a cut edge
+  std::map<int, int> Rim; // the edges in the plane, as the closing face has them
+};
+}
+
 void ConvexSurface::Cut(int axis, double level, int side, double tolerance)
 {
   std::vector<double> height(this->Points.size());
@@ -24,76 +123,14 @@ void ConvexSurface::Cut(int axis, double level, int side, double tolerance)
   {
     return;
   }
-
-  ConvexSurface kept;
-  std::map<std::pair<int, int>, int> numbers; // of a point twice, or of the ends of a cut edge
-  auto add = [&](int a, int b)
-  {
-    const auto ends = std::minmax(a, b);
-    const auto [found, isNew] = numbers.try_emplace(ends, static_cast<int>(kept.Points.size()));
-    if (isNew)
-    {
-      Vector3 point = this->Points[ends.first];
-      if (a != b)
-      {
-        // From the lower end, whichever half is kept
-        const bool upwards = this->Points[ends.first][axis] < this->Points[ends.second][axis];
-        const Vector3& low = this->Points[upwards ? ends.first : ends.second];
-        const Vector3& high = this->Points[upwards ? ends.second : ends.first];
-        const double part = (level - low[axis]) / (high[axis] - low[axis]);
-        for (int q = 0; q < 3; ++q)
-        {
-          point[q] = low[q] + part * (high[q] - low[q]);
-        }
-        point[axis] = level;
-      }
-      kept.Points.push_back(point);
-    }
-    return found->second;
-  };
-  std::map<int, int> rim; // the edges in the plane, as the closing face has them
+  Half half(*this, height, axis, level);
   for (const std::vector<int>& face : this->Faces)
   {
-    if (std::none_of(face.begin(), face.end(), [&](int i) { return height[i] > 0.0; }))
+    if (std::any_of(face.begin(), face.end(), [&](int i) { return height[i] > 0.0; }))
     {
-      continue;
+      half.AddPartOf(face);
     }
-    std::vector<int> part;
-    std::vector<bool> onPlane;
-    for (std::size_t k = 0; k < face.size(); ++k)
-    {
-      const int a = face[k];
-      const int b = face[(k + 1) % face.size()];
-      if (height[a] >= 0.0)
-      {
-        part.push_back(add(a, a));
-        onPlane.push_back(height[a] == 0.0);
-      }
-      if (height[a] * height[b] < 0.0)
-      {
-        part.push_back(add(a, b));
-        onPlane.push_back(true);
-      }
-    }
-    for (std::size_t k = 0; k < part.size(); ++k)
-    {
-      const std::size_t next = (k + 1) % part.size();
-      if (onPlane[k] && onPlane[next])
-      {
-        rim[part[next]] = part[k];
-      }
-    }
-    kept.Faces.push_back(part);
   }
-  if (!rim.empty())
-  {
-    std::vector<int> closing;
-    for (int i = rim.begin()->first; closing.size() < rim.size(); i = rim.at(i))
-    {
-      closing.push_back(i);
-    }
-    kept.Faces.push_back(closing);
-  }
-  *this = std::move(kept);
+  *this = half.Close();
 }
 }

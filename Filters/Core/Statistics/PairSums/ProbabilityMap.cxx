@@ -34,6 +34,7 @@ struct HalfGrid
 
   std::size_t Row() const { return 2 * static_cast<std::size_t>(this->Half) + 1; }
   std::size_t Slice() const { return this->Row() * this->Row(); }
+  std::size_t Size() const { return (static_cast<std::size_t>(this->Half) + 1) * this->Slice(); }
 };
 
 /** The slices of a thread, every Stride-th, of images that follow each other. */
@@ -199,120 +200,186 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
       " pairs of phases, got ", half, "."));
   }
 }
-}
 
-ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int, 2>>& pairs,
-  double spacing, double reach, Communicator& ranks, const std::function<void(double)>& progress)
+// How often the overlap of two spheres, of modes from 1, counts in every image
+struct Multiples
 {
-  CheckMap(share, pairs, spacing, reach);
-  const int modes = share.NumberOfModes();
-  const HalfGrid grid = { static_cast<int>(reach / spacing * (1.0 + 1e-12)) };
-  const int slices = grid.Half + 1;
-  const double cube = grid.Half * spacing, rim = 2.0 * share.LargestRadius;
-  const WeightedPairs weighted(
-    share, std::sqrt(3.0) * cube + rim, ranks, "Spacing x Resolution", cube, rim);
-  const double unit = SphereVolume(share.LargestRadius);
-  const double scale = weighted.Scale / unit * (Pi / 12.0) * spacing * spacing * spacing;
-
-  // How often two modes, or a sphere with itself, count in every image
-  std::vector<std::vector<std::int64_t>> multiples(modes * modes), selfMultiples(modes);
-  for (const std::array<int, 2>& pair : pairs)
+  Multiples(const std::vector<std::array<int, 2>>& pairs, int modes)
+    : Modes(modes)
+    , Two(modes * modes)
+    , Self(modes)
   {
-    for (int a = 0; a < modes; ++a)
+    for (const std::array<int, 2>& pair : pairs)
     {
-      for (int b = 0; b < modes; ++b)
+      for (int a = 0; a < modes; ++a)
       {
-        multiples[a * modes + b].push_back(MultipleOf(pair, a, b, modes));
+        for (int b = 0; b < modes; ++b)
+        {
+          this->Two[a * modes + b].push_back(MultipleOf(pair, a, b, modes));
+        }
+        this->Self[a].push_back(MultipleOf(pair, a, a, modes) / 2);
       }
-      selfMultiples[a].push_back(MultipleOf(pair, a, a, modes) / 2);
     }
   }
 
-  const std::size_t sizeOfImage = slices * grid.Slice();
-  std::vector<std::int64_t> sums(2 * sizeOfImage * pairs.size(), 0);
-  // Every thread goes through all pairs and takes slices of its own: no thread needs another image
-#pragma omp parallel
+  const std::vector<std::int64_t>& Of(int a, int b) const
   {
-    const int stride = omp_get_num_threads(), first = omp_get_thread_num();
+    return this->Two[(a - 1) * this->Modes + b - 1];
+  }
+  const std::vector<std::int64_t>& OfItself(int a) const { return this->Self[a - 1]; }
+
+  int Modes;
+  std::vector<std::vector<std::int64_t>> Two, Self;
+};
+
+// The overlaps of all pairs summed up in the half grid
+class MapSums
+{
+public:
+  MapSums(const PackShare& share, const WeightedPairs& weighted,
+    const std::vector<std::array<int, 2>>& pairs, const HalfGrid& grid, double spacing)
+    : Share(share)
+    , Weighted(weighted)
+    , Grid(grid)
+    , Spacing(spacing)
+    , Scale(weighted.Scale / SphereVolume(share.LargestRadius) * (Pi / 12.0) * spacing * spacing *
+        spacing)
+    , Counts(pairs, share.NumberOfModes())
+    , NumberOfImages(pairs.size())
+  {
+  }
+
+  // Of the centres of this rank: two limbs a voxel (WideValue), image after image
+  std::vector<std::int64_t> Sum(const std::function<void(double)>& progress) const
+  {
+    std::vector<std::int64_t> sums(2 * this->Grid.Size() * this->NumberOfImages, 0);
+    // Every thread goes through all pairs and takes slices of its own: no thread needs another
+    // image
+#pragma omp parallel
+    this->SumSlices(omp_get_thread_num(), omp_get_num_threads(), progress, sums);
+    return sums;
+  }
+
+private:
+  void SumSlices(int first, int stride, const std::function<void(double)>& progress,
+    std::vector<std::int64_t>& sums) const
+  {
+    const int slices = this->Grid.Half + 1;
     const int ownSlices = first < slices ? (slices - 1 - first) / stride + 1 : 0;
-    const std::size_t ownSize = ownSlices * grid.Slice();
-    FixedPointSums own(ownSize * pairs.size());
-    Ball ball(2.0 * share.LargestRadius / spacing, grid);
-    const std::size_t centres = ownSlices > 0 ? weighted.Pairs.Size() : 0;
-    for (std::size_t begin = 0; begin < centres; begin += weighted.Step)
+    const std::size_t ownSize = ownSlices * this->Grid.Slice();
+    FixedPointSums own(ownSize * this->NumberOfImages);
+    Ball ball(2.0 * this->Share.LargestRadius / this->Spacing, this->Grid);
+    const std::size_t centres = ownSlices > 0 ? this->Weighted.Pairs.Size() : 0;
+    for (std::size_t begin = 0; begin < centres; begin += this->Weighted.Step)
     {
-      const std::size_t end = std::min(begin + weighted.Step, centres);
-      const Images images = { own.Take(weighted.Terms), first, stride, ownSize };
-      for (std::size_t place = begin; place < end; ++place)
-      {
-        const std::size_t i = weighted.Pairs.Own().Index[place];
-        const double radius = share.Own.Radius[i] / spacing;
-        AddBall(LensFormula(radius, radius), { 0.0, 0.0, 0.0 }, scale, grid, images,
-          selfMultiples[share.Own.Mode[i] - 1], ball);
-      }
-      weighted.ForEach(begin, end,
-        [&](std::size_t i, const PairNeighbourhood::Part& part, std::size_t j, const Vector3& d,
-          double, double weight)
-        {
-          const LensFormula lens(share.Own.Radius[i] / spacing, part.Pack.Radius[j] / spacing);
-          const std::vector<std::int64_t>& multiple =
-            multiples[(share.Own.Mode[i] - 1) * modes + part.Pack.Mode[j] - 1];
-          const double factor = 0.5 * scale * weight;
-          for (double sign : { 1.0, -1.0 })
-          {
-            const double x = sign / spacing;
-            const Vector3 lag = { x * d[0], x * d[1], x * d[2] };
-            if (lag[2] + lens.Contact > 0.0)
-            {
-              AddBall(lens, lag, factor, grid, images, multiple, ball);
-            }
-          }
-        });
+      const std::size_t end = std::min(begin + this->Weighted.Step, centres);
+      this->AddCentres(
+        begin, end, { own.Take(this->Weighted.Terms), first, stride, ownSize }, ball);
       if (progress && first == 0)
       {
         progress(double(end) / centres);
       }
     }
     const std::vector<std::int64_t>& wide = own.Finish();
-    for (std::size_t image = 0; image < pairs.size(); ++image)
+    const std::size_t slice = 2 * this->Grid.Slice();
+    for (std::size_t image = 0; image < this->NumberOfImages; ++image)
     {
-      for (int slice = 0; slice < ownSlices; ++slice)
+      for (int n = 0; n < ownSlices; ++n)
       {
-        const auto from = wide.begin() + 2 * (image * ownSize + slice * grid.Slice());
-        std::copy(from, from + 2 * grid.Slice(),
-          sums.begin() + 2 * (image * sizeOfImage + (first + slice * stride) * grid.Slice()));
+        const auto from = wide.begin() + 2 * image * ownSize + n * slice;
+        std::copy(from, from + slice,
+          sums.begin() + 2 * image * this->Grid.Size() + (first + n * stride) * slice);
       }
     }
   }
+
+  // The pairs of the centres [begin, end), and each of these with itself
+  void AddCentres(std::size_t begin, std::size_t end, const Images& images, Ball& ball) const
+  {
+    const SpherePack& own = this->Share.Own;
+    for (std::size_t place = begin; place < end; ++place)
+    {
+      const std::size_t i = this->Weighted.Pairs.Own().Index[place];
+      const double radius = own.Radius[i] / this->Spacing;
+      AddBall(LensFormula(radius, radius), { 0.0, 0.0, 0.0 }, this->Scale, this->Grid, images,
+        this->Counts.OfItself(own.Mode[i]), ball);
+    }
+    this->Weighted.ForEach(begin, end,
+      [&](std::size_t i, const PairNeighbourhood::Part& part, std::size_t j, const Vector3& d,
+        double, double weight)
+      {
+        const LensFormula lens(own.Radius[i] / this->Spacing, part.Pack.Radius[j] / this->Spacing);
+        const double factor = 0.5 * this->Scale * weight;
+        for (double sign : { 1.0, -1.0 })
+        {
+          const double x = sign / this->Spacing;
+          const Vector3 lag = { x * d[0], x * d[1], x * d[2] };
+          if (lag[2] + lens.Contact > 0.0)
+          {
+            AddBall(lens, lag, factor, this->Grid, images,
+              this->Counts.Of(own.Mode[i], part.Pack.Mode[j]), ball);
+          }
+        }
+      });
+  }
+
+  const PackShare& Share;
+  const WeightedPairs& Weighted;
+  const HalfGrid Grid;
+  const double Spacing;
+  const double Scale; // from the overlap of a pair to what is summed
+  const Multiples Counts;
+  const std::size_t NumberOfImages;
+};
+
+// The values on the whole grid from the sums of an image, `volumes` a unit of these. S_rm = c_r -
+// sum over s of S_rs, S_mm = 1 - 2 sum over r of c_r + sum over r, s of S_rs.
+std::vector<double> WholeImage(const std::array<int, 2>& pair, const HalfGrid& grid,
+  const std::int64_t* sums, double volumes, const std::vector<double>& fractions)
+{
+  const int matrix = static_cast<int>(fractions.size()) - 1;
+  const int r = std::min(pair[0], pair[1]), s = std::max(pair[0], pair[1]);
+  const double constant = s < matrix ? 0.0
+    : r < matrix                     ? fractions[r]
+                                     : 2.0 * fractions[matrix] - 1.0;
+  const double factor = s == matrix && r < matrix ? -volumes : volumes;
+  const std::size_t voxels = grid.Row() * grid.Slice(), centre = voxels / 2;
+  std::vector<double> values(voxels);
+  // From the rows of the half grid up to the middle one, j < 0 first in slice 0
+  for (std::size_t v = 0; v < grid.Size(); ++v)
+  {
+    const std::size_t inSlice = v % grid.Slice();
+    if (v >= grid.Slice() || inSlice / grid.Row() <= static_cast<std::size_t>(grid.Half))
+    {
+      const std::size_t place = centre - grid.Slice() / 2 + v;
+      const double value = constant + factor * WideValue(&sums[2 * v]);
+      values[place] = value;
+      values[voxels - 1 - place] = value;
+    }
+  }
+  return values;
+}
+}
+
+ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int, 2>>& pairs,
+  double spacing, double reach, Communicator& ranks, const std::function<void(double)>& progress)
+{
+  CheckMap(share, pairs, spacing, reach);
+  const HalfGrid grid = { static_cast<int>(reach / spacing * (1.0 + 1e-12)) };
+  const double cube = grid.Half * spacing, rim = 2.0 * share.LargestRadius;
+  const WeightedPairs weighted(
+    share, std::sqrt(3.0) * cube + rim, ranks, "Spacing x Resolution", cube, rim);
+  std::vector<std::int64_t> sums = MapSums(share, weighted, pairs, grid, spacing).Sum(progress);
   ranks.Sum(sums.data(), sums.size());
 
   ProbabilityMap map = { { grid.Half, grid.Half, grid.Half }, spacing, pairs, {} };
   const std::vector<double> fractions = OnePointProbability(share);
-  const std::size_t voxels = map.Voxels(), centre = voxels / 2;
-  const double volumes = unit / (weighted.Scale * share.Observed.Volume());
+  const double volumes =
+    SphereVolume(share.LargestRadius) / (weighted.Scale * share.Observed.Volume());
   for (std::size_t image = 0; image < pairs.size(); ++image)
   {
-    const int r = std::min(pairs[image][0], pairs[image][1]);
-    const int s = std::max(pairs[image][0], pairs[image][1]);
-    // S_rm = c_r - sum over s of S_rs, S_mm = 1 - 2 sum over r of c_r + sum over r, s of S_rs
-    const double constant = s < modes ? 0.0
-      : r < modes                     ? fractions[r]
-                                      : 2.0 * fractions[modes] - 1.0;
-    const double factor = s == modes && r < modes ? -volumes : volumes;
-    std::vector<double> values(voxels);
-    // From the rows of the half grid up to the middle one, j < 0 first in slice 0
-    for (std::size_t v = 0; v < sizeOfImage; ++v)
-    {
-      const std::size_t inSlice = v % grid.Slice();
-      if (v >= grid.Slice() || inSlice / grid.Row() <= static_cast<std::size_t>(grid.Half))
-      {
-        const std::size_t place = centre - grid.Slice() / 2 + v;
-        const double value = constant + factor * WideValue(&sums[2 * (image * sizeOfImage + v)]);
-        values[place] = value;
-        values[voxels - 1 - place] = value;
-      }
-    }
-    map.Values.push_back(std::move(values));
+    map.Values.push_back(
+      WholeImage(pairs[image], grid, &sums[2 * image * grid.Size()], volumes, fractions));
   }
   return map;
 }

@@ -268,6 +268,54 @@ int SamplesInBatch(const SamplingSettings& settings, int most)
         std::clamp<std::int64_t>((settings.Samples + FewestBatches - 1) / FewestBatches, 1, most));
 }
 
+namespace
+{
+// Takes the batches of a round that are not taken yet; false where it was stopped, range.Samples
+// being those taken by then. `expected`: the samples of all rounds.
+bool TakeRound(BatchRange& range, int batchesAtOnce, double expected, const SampleNames& names,
+  Communicator& communicator, const SamplingProgress& progress,
+  const std::function<void(const BatchRange&)>& take)
+{
+  const std::int64_t batches = range.Batches();
+  while (range.End < batches)
+  {
+    range.First = range.End;
+    range.End = std::min(batches, range.First + batchesAtOnce);
+    take(range);
+    const std::int64_t taken = range.EndSample(range.End - 1);
+    if (!communicator.All(
+          !progress || progress(std::min(taken / expected, 1.0), Text(taken, " ", names.Noun))))
+    {
+      range.Samples = taken;
+      return false;
+    }
+  }
+  return true;
+}
+
+// How many samples the target takes, as far as the samples taken tell
+double SamplesForTarget(const SampledTwoPoint& result, double targetError, const SampleNames& names)
+{
+  for (int k = 0; k <= result.Mean.Lags.Count; ++k)
+  {
+    if (std::isnan(result.Mean.Values[0][k]))
+    {
+      throw std::invalid_argument(
+        Text("TargetError requires pairs of points at every lag, got none at ",
+          k * result.Mean.Lags.Spacing, " on ", result.Samples, " ", names.Noun, "."));
+    }
+  }
+  const double ratio = result.TotalError / targetError;
+  const double expected = result.Samples * ratio * ratio;
+  if (!(expected <= MostSamples))
+  {
+    throw std::invalid_argument(Text("TargetError requires at least about ",
+      result.TotalError * std::sqrt(result.Samples / MostSamples), ", got ", targetError, "."));
+  }
+  return expected;
+}
+}
+
 SampledTwoPoint TakeSamples(const SamplingSettings& settings, const SampleNames& names,
   int samplesInBatch, int batchesAtOnce, SampledSums& sums,
   const std::vector<SampledRatios*>& others, Communicator& communicator,
@@ -283,52 +331,26 @@ SampledTwoPoint TakeSamples(const SamplingSettings& settings, const SampleNames&
     range.Samples = std::int64_t(FewestBatches) * range.SamplesInBatch;
     expected = std::numeric_limits<double>::infinity();
   }
-  bool carryOn = true;
   for (;;)
   {
-    const std::int64_t batches = (range.Samples + range.SamplesInBatch - 1) / range.SamplesInBatch;
     for (SampledRatios* table : tables)
     {
-      table->BeginRound(communicator, batches);
+      table->BeginRound(communicator, range.Batches());
     }
-    while (carryOn && range.End < batches)
-    {
-      range.First = range.End;
-      range.End = std::min(batches, range.First + batchesAtOnce);
-      take(range);
-      const std::int64_t taken = range.EndSample(range.End - 1);
-      carryOn = communicator.All(
-        !progress || progress(std::min(taken / expected, 1.0), Text(taken, " ", names.Noun)));
-      range.Samples = carryOn ? range.Samples : taken;
-    }
+    const bool finished =
+      TakeRound(range, batchesAtOnce, expected, names, communicator, progress, take);
     for (SampledRatios* table : tables)
     {
       table->EndRound(communicator);
     }
     SampledTwoPoint result = sums.Result();
     result.Samples = range.Samples;
-    result.Stopped = !carryOn;
-    if (!aimed || !carryOn || result.TotalError <= settings.TargetError)
+    result.Stopped = !finished;
+    if (!aimed || !finished || result.TotalError <= settings.TargetError)
     {
       return result;
     }
-    for (int k = 0; k <= result.Mean.Lags.Count; ++k)
-    {
-      if (std::isnan(result.Mean.Values[0][k]))
-      {
-        throw std::invalid_argument(
-          Text("TargetError requires pairs of points at every lag, got none at ",
-            k * result.Mean.Lags.Spacing, " on ", range.Samples, " ", names.Noun, "."));
-      }
-    }
-    const double ratio = result.TotalError / settings.TargetError;
-    expected = range.Samples * ratio * ratio;
-    if (!(expected <= MostSamples))
-    {
-      throw std::invalid_argument(Text("TargetError requires at least about ",
-        result.TotalError * std::sqrt(range.Samples / MostSamples), ", got ", settings.TargetError,
-        "."));
-    }
+    expected = SamplesForTarget(result, settings.TargetError, names);
     // Early errors are themselves uncertain: not too far at once, nor in too many small steps
     const double next = std::clamp(1.02 * expected, 1.05 * range.Samples, 8.0 * range.Samples);
     range.Samples = range.SamplesInBatch *

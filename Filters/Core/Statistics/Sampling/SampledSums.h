@@ -154,6 +154,10 @@ struct BatchRange
   std::int64_t Samples; // of all batches
   int SamplesInBatch;
 
+  std::int64_t Batches() const // of all samples
+  {
+    return (this->Samples + this->SamplesInBatch - 1) / this->SamplesInBatch;
+  }
   std::int64_t FirstSample(std::int64_t batch) const { return batch * this->SamplesInBatch; }
   std::int64_t EndSample(std::int64_t batch) const
   {

@@ -26,6 +26,168 @@ Vector3 Wrapped(Vector3 point, const Window& box)
   }
   return point;
 }
+
+// The phases at all points of a run of throws: of each the centre, then the points of each ray
+class ThrownPoints
+{
+public:
+  ThrownPoints(const SpherePack& own, int modes, const SamplingRegion& region, const LagGrid& lags)
+    : Spheres(own, region.GetBounds())
+    , Rays(NumberOfRays)
+    , Modes(modes)
+    , Region(region)
+    , Lags(lags)
+  {
+  }
+
+  std::size_t PointsOfThrow() const
+  {
+    return 1 + static_cast<std::size_t>(NumberOfRays) * this->Lags.Count;
+  }
+
+  // Collective
+  void LookUp(std::uint32_t seed, std::int64_t first, std::int64_t count, Communicator& ranks)
+  {
+    this->First = first;
+    this->Phases.resize(count * this->PointsOfThrow());
+#pragma omp parallel for schedule(dynamic)
+    for (std::int64_t n = 0; n < count; ++n)
+    {
+      const auto sample = static_cast<std::uint32_t>(first + n);
+      this->LookUpFan(
+        RayFan::Random(this->Region, seed, sample), &this->Phases[n * this->PointsOfThrow()]);
+    }
+    // The matrix is the highest phase, so that what any rank finds there comes first.
+    ranks.Minimum(this->Phases.data(), this->Phases.size());
+  }
+
+  // Of a throw of those looked up last
+  const std::int32_t* Of(std::int64_t sample) const
+  {
+    return &this->Phases[(sample - this->First) * this->PointsOfThrow()];
+  }
+
+private:
+  void LookUpFan(const RayFan& fan, std::int32_t* place) const
+  {
+    const Vector3& centre = fan.Centre;
+    *place++ = this->PhaseAt(centre);
+    for (int i = 0; i < NumberOfRays; ++i)
+    {
+      const Vector3 ray = this->Rays.Of(fan, i);
+      for (int k = 1; k <= this->Lags.Count; ++k)
+      {
+        const double r = k * this->Lags.Spacing;
+        *place++ =
+          this->PhaseAt({ centre[0] + r * ray[0], centre[1] + r * ray[1], centre[2] + r * ray[2] });
+      }
+    }
+  }
+
+  std::int32_t PhaseAt(const Vector3& point) const
+  {
+    if (this->Region.IsFullyPeriodic())
+    {
+      return this->Spheres.LowestModeAt(Wrapped(point, this->Region.GetBounds()), this->Modes);
+    }
+    return this->Region.Contains(point) ? this->Spheres.LowestModeAt(point, this->Modes)
+                                        : OutsideRegion;
+  }
+
+  const SphereGrid Spheres;
+  const RayDirections Rays;
+  const int Modes;
+  const SamplingRegion& Region;
+  const LagGrid Lags;
+  std::int64_t First = 0;
+  std::vector<std::int32_t> Phases;
+};
+
+// The points of a batch in every pair of phases, lag by lag; rows that stay empty are not allocated
+class PairCounts
+{
+public:
+  PairCounts(int phases, const LagGrid& lags)
+    : Phases(phases)
+    , Lags(lags)
+    , Counts(static_cast<std::size_t>(phases) * phases)
+    , Rows(this->Counts.size())
+  {
+  }
+
+  void Clear()
+  {
+    for (std::vector<double>& row : this->Counts)
+    {
+      row.clear();
+    }
+  }
+
+  void AddThrow(const std::int32_t* place)
+  {
+    const std::int32_t centre = *place++;
+    this->Add(centre, centre, 0, NumberOfRays);
+    for (int ray = 0; ray < NumberOfRays; ++ray)
+    {
+      for (int k = 1; k <= this->Lags.Count; ++k, ++place)
+      {
+        if (*place != OutsideRegion)
+        {
+          this->Add(centre, *place, k, 1.0);
+        }
+      }
+    }
+  }
+
+  // As SampledSums takes them
+  const std::vector<const double*>& GetRows()
+  {
+    for (std::size_t n = 0; n < this->Rows.size(); ++n)
+    {
+      this->Rows[n] = this->Counts[n].empty() ? nullptr : this->Counts[n].data();
+    }
+    return this->Rows;
+  }
+
+private:
+  void Add(int r, int s, int k, double number)
+  {
+    std::vector<double>& row = this->Counts[static_cast<std::size_t>(r) * this->Phases + s];
+    if (row.empty())
+    {
+      row.assign(this->Lags.Count + 1, 0.0);
+    }
+    row[k] += number;
+  }
+
+  const int Phases;
+  const LagGrid Lags;
+  std::vector<std::vector<double>> Counts;
+  std::vector<const double*> Rows;
+};
+
+// Every rank counts every size-th batch
+void CountBatches(const BatchRange& range, const ThrownPoints& points, int phases,
+  const LagGrid& lags, const Communicator& ranks, SampledSums& sums)
+{
+#pragma omp parallel
+  {
+    PairCounts counts(phases, lags);
+#pragma omp for schedule(dynamic)
+    for (std::int64_t batch = range.First; batch < range.End; ++batch)
+    {
+      if (batch % ranks.Size() == ranks.Rank())
+      {
+        counts.Clear();
+        for (std::int64_t i = range.FirstSample(batch); i < range.EndSample(batch); ++i)
+        {
+          counts.AddThrow(points.Of(i));
+        }
+        sums.AddBatch(counts.GetRows());
+      }
+    }
+  }
+}
 }
 
 SampledTwoPoint SampleTemplate(const SpherePack& own, int modes, const SamplingRegion& region,
@@ -33,101 +195,19 @@ SampledTwoPoint SampleTemplate(const SpherePack& own, int modes, const SamplingR
   const SamplingProgress& progress)
 {
   CheckSampling(settings, Throws, modes, lags, region);
-  const SphereGrid grid(own, region.GetBounds());
-  const RayDirections rays(NumberOfRays);
   const int throwsInBatch = SamplesInBatch(settings, MostThrowsInBatch);
-  const int size = communicator.Size(), phases = modes + 1;
   SampledSums sums(modes, lags, static_cast<double>(throwsInBatch) * NumberOfRays);
-
-  // The centre, then the points of each ray
-  const std::size_t points = 1 + static_cast<std::size_t>(NumberOfRays) * lags.Count;
-  std::vector<std::int32_t> found;
-  const auto lookUp = [&](const Vector3& point) -> std::int32_t
-  {
-    if (region.IsFullyPeriodic())
-    {
-      return grid.LowestModeAt(Wrapped(point, region.GetBounds()), modes);
-    }
-    return region.Contains(point) ? grid.LowestModeAt(point, modes) : OutsideRegion;
-  };
+  ThrownPoints points(own, modes, region, lags);
   const auto take = [&](const BatchRange& range)
   {
     const std::int64_t first = range.FirstSample(range.First);
-    const std::int64_t count = range.EndSample(range.End - 1) - first;
-    found.resize(count * points);
-#pragma omp parallel for schedule(dynamic)
-    for (std::int64_t n = 0; n < count; ++n)
-    {
-      const auto sample = static_cast<std::uint32_t>(first + n);
-      std::int32_t* place = &found[n * points];
-      const RayFan fan = RayFan::Random(region, settings.Seed, sample);
-      const Vector3& centre = fan.Centre;
-      *place++ = lookUp(centre);
-      for (int i = 0; i < NumberOfRays; ++i)
-      {
-        const Vector3 ray = rays.Of(fan, i);
-        for (int k = 1; k <= lags.Count; ++k)
-        {
-          const double r = k * lags.Spacing;
-          *place++ =
-            lookUp({ centre[0] + r * ray[0], centre[1] + r * ray[1], centre[2] + r * ray[2] });
-        }
-      }
-    }
-    // The matrix is the highest phase, so that what any rank finds there comes first.
-    communicator.Minimum(found.data(), found.size());
-
-#pragma omp parallel
-    {
-      std::vector<std::vector<double>> counts(static_cast<std::size_t>(phases) * phases);
-      std::vector<const double*> rows(counts.size());
-#pragma omp for schedule(dynamic)
-      for (std::int64_t batch = range.First; batch < range.End; ++batch)
-      {
-        if (batch % size != communicator.Rank())
-        {
-          continue;
-        }
-        for (std::vector<double>& row : counts)
-        {
-          row.clear();
-        }
-        const auto count = [&](int r, int s, int k, double number)
-        {
-          std::vector<double>& row = counts[static_cast<std::size_t>(r) * phases + s];
-          if (row.empty())
-          {
-            row.assign(lags.Count + 1, 0.0);
-          }
-          row[k] += number;
-        };
-        for (std::int64_t i = range.FirstSample(batch); i < range.EndSample(batch); ++i)
-        {
-          const std::int32_t* place = &found[(i - first) * points];
-          const std::int32_t centre = *place++;
-          count(centre, centre, 0, NumberOfRays);
-          for (int ray = 0; ray < NumberOfRays; ++ray)
-          {
-            for (int k = 1; k <= lags.Count; ++k, ++place)
-            {
-              if (*place != OutsideRegion)
-              {
-                count(centre, *place, k, 1.0);
-              }
-            }
-          }
-        }
-        for (std::size_t n = 0; n < rows.size(); ++n)
-        {
-          rows[n] = counts[n].empty() ? nullptr : counts[n].data();
-        }
-        sums.AddBatch(rows);
-      }
-    }
+    points.LookUp(settings.Seed, first, range.EndSample(range.End - 1) - first, communicator);
+    CountBatches(range, points, modes + 1, lags, communicator, sums);
   };
   // About 10 MB of points
-  const double batchBytes = 4.0 * static_cast<double>(points) * throwsInBatch;
-  const int batchesAtOnce = std::max({ static_cast<int>(1e7 / batchBytes), 2 * size, 1 });
+  const double batchBytes = 4.0 * static_cast<double>(points.PointsOfThrow()) * throwsInBatch;
+  const int batchesAtOnce =
+    std::max({ static_cast<int>(1e7 / batchBytes), 2 * communicator.Size(), 1 });
   return TakeSamples(
     settings, Throws, throwsInBatch, batchesAtOnce, sums, {}, communicator, progress, take);
 }
