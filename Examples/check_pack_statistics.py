@@ -20,7 +20,8 @@ def one_point(job):
         one, name = table_of(source), method.replace(" ", "")
         table["Phase"] = one["Phase"]
         table[name] = one["VolumeFraction"]
-        table[name + "_error"] = one["VolumeFraction_error"]
+        if "VolumeFraction_error" in one:
+            table[name + "_error"] = one["VolumeFraction_error"]
     return table
 
 

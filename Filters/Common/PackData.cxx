@@ -7,6 +7,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -427,25 +428,40 @@ void FillPolyData(const ruc::SpherePack& pack, vtkPolyData* output)
   output->GetPointData()->AddArray(id);
 }
 
+void AddColumn(vtkTable* table, vtkAbstractArray* column)
+{
+  vtkDataSetAttributes* row = table->GetRowData();
+  const int columns = row->GetNumberOfArrays();
+  if ((columns & (columns - 1)) == 0)
+  {
+    row->AllocateArrays(2 * columns + 1);
+  }
+  // Without a name, by which VTK looks through all the columns that there are
+  const std::string name = column->GetName();
+  column->SetName(nullptr);
+  row->AddArray(column);
+  column->SetName(name.c_str());
+}
+
 void AddColumn(vtkTable* table, const std::string& name, const std::vector<double>& values)
 {
   vtkNew<vtkDoubleArray> array;
   Fill(array.Get(), name, values);
-  table->AddColumn(array);
+  AddColumn(table, array);
 }
 
 void AddColumn(vtkTable* table, const std::string& name, const std::vector<long long>& values)
 {
   vtkNew<vtkLongLongArray> array;
   Fill(array.Get(), name, values);
-  table->AddColumn(array);
+  AddColumn(table, array);
 }
 
 void AddColumn(vtkTable* table, const std::string& name, const std::vector<std::string>& values)
 {
   vtkNew<vtkStringArray> array;
   Fill(array.Get(), name, values);
-  table->AddColumn(array);
+  AddColumn(table, array);
 }
 
 void AddField(vtkDataObject* data, const char* name, const std::vector<double>& values)

@@ -11,6 +11,7 @@
 #include <vector>
 
 class RankCommunicator;
+class vtkAbstractArray;
 class vtkDataArray;
 class vtkDataObject;
 class vtkPointSet;
@@ -104,6 +105,9 @@ bool HasArray(vtkPointSet* input, const char* name, RankCommunicator& ranks);
 void FillPolyData(const ruc::SpherePack& pack, vtkPolyData* output);
 
 // Columns and field data
+/** Adds a column of a name that the table does not have yet, in a time that does not depend on how
+ * many columns there are. */
+void AddColumn(vtkTable* table, vtkAbstractArray* column);
 void AddColumn(vtkTable* table, const std::string& name, const std::vector<double>& values);
 void AddColumn(vtkTable* table, const std::string& name, const std::vector<long long>& values);
 void AddColumn(vtkTable* table, const std::string& name, const std::vector<std::string>& values);

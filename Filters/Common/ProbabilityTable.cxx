@@ -13,6 +13,7 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <unordered_map>
 #include <vector>
 
 namespace
@@ -38,13 +39,16 @@ int FindModes(vtkTable* table)
 // Throws std::invalid_argument where the table, on the rank that has it, is not what is required
 ruc::TwoPointProbability ReadLocal(vtkTable* table, const std::string& what)
 {
+  // A table looks through all its columns for a name, which adds up where there are many
+  std::unordered_map<std::string, vtkDataArray*> columns;
+  for (vtkIdType c = 0; c < table->GetNumberOfColumns(); ++c)
+  {
+    const char* name = table->GetColumnName(c);
+    columns.emplace(name ? name : "", vtkDataArray::SafeDownCast(table->GetColumn(c)));
+  }
   const auto column = [&](const std::string& name, const std::string& other)
   {
-    vtkDataArray* array = vtkDataArray::SafeDownCast(table->GetColumnByName(name.c_str()));
-    if (!array)
-    {
-      array = vtkDataArray::SafeDownCast(table->GetColumnByName(other.c_str()));
-    }
+    vtkDataArray* array = columns[name] ? columns[name] : columns[other];
     if (!array || array->GetNumberOfComponents() != 1)
     {
       throw std::invalid_argument(ruc::Text(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRUCParallelAlgorithm.h"
 
+#include "PackData.h"
 #include "RankCommunicator.h"
 
 #include "vtkAbstractArray.h"
@@ -21,8 +22,8 @@
 
 namespace
 {
-// Collective: the columns of rank 0's table, without its rows, on the other ranks. Readers of tables
-// leave them so, and views that work on all ranks look a column up on each.
+// Collective: the columns of rank 0's table, without its rows, on the other ranks. Readers of
+// tables leave them so, and views that work on all ranks look a column up on each.
 void ShareColumns(vtkTable* table, const RankCommunicator& ranks)
 {
   vtkMultiProcessStream stream;
@@ -46,13 +47,10 @@ void ShareColumns(vtkTable* table, const RankCommunicator& ranks)
     std::string name;
     int type = 0, components = 0;
     stream >> name >> type >> components;
-    if (!row->HasArray(name.c_str()))
-    {
-      auto column = vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(type));
-      column->SetName(name.c_str());
-      column->SetNumberOfComponents(components);
-      row->AddArray(column);
-    }
+    auto column = vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(type));
+    column->SetName(name.c_str());
+    column->SetNumberOfComponents(components);
+    PackData::AddColumn(table, column);
   }
 }
 }

@@ -28,13 +28,16 @@ struct Checks
     this->StandardError.push_back(error);
   }
 
-  void Fill(vtkTable* table) const
+  void Fill(vtkTable* table, bool withErrors) const
   {
     PackData::AddColumn(table, "Triple", this->Triple);
     PackData::AddColumn(table, "Place", this->Place);
     PackData::AddColumn(table, "Limit", this->Limit);
     PackData::AddColumn(table, "Difference", this->Difference);
-    PackData::AddColumn(table, "StandardError", this->StandardError);
+    if (withErrors)
+    {
+      PackData::AddColumn(table, "StandardError", this->StandardError);
+    }
   }
 };
 
@@ -75,7 +78,7 @@ void ThreePointTables::FillLimits(const ruc::ThreePointProbability& probability,
       std::abs(probability.Value(n, last, last, opposite) - apart),
       probability.Error(n, last, last, opposite));
   }
-  rows.Fill(checks);
+  rows.Fill(checks, probability.HasErrors());
 }
 
 void ThreePointTables::FillThirdOrder(

@@ -48,24 +48,30 @@ void FillProbabilities(const ruc::SampledTwoPoint& measured, vtkTable* table)
 }
 
 void FillChecks(const TwoPointProbability& probability,
-  const std::vector<ruc::TwoPointCheck>& checks, vtkTable* table)
+  const std::vector<ruc::TwoPointCheck>& checks, const std::vector<double>& asymmetry,
+  vtkTable* table)
 {
   std::vector<std::string> pair;
-  std::vector<double> limit, zero, infinity, asymmetry, saturation;
+  std::vector<double> limit, zero, infinity, saturation;
   ForEachPair(probability, [&](int, const std::string& name) { pair.push_back("S_" + name); });
   for (const ruc::TwoPointCheck& check : checks)
   {
     limit.push_back(check.Limit);
     zero.push_back(check.ErrorAtZero);
     infinity.push_back(check.ErrorAtInfinity);
-    asymmetry.push_back(check.Asymmetry);
     saturation.push_back(check.SaturationLength);
   }
   PackData::AddColumn(table, "Pair", pair);
   PackData::AddColumn(table, "Limit", limit);
-  PackData::AddColumn(table, "ErrorAtZero", zero);
+  if (asymmetry.empty())
+  {
+    PackData::AddColumn(table, "ErrorAtZero", zero);
+  }
   PackData::AddColumn(table, "ErrorAtInfinity", infinity);
-  PackData::AddColumn(table, "Asymmetry", asymmetry);
+  if (!asymmetry.empty())
+  {
+    PackData::AddColumn(table, "Asymmetry", asymmetry);
+  }
   PackData::AddColumn(table, "SaturationLength", saturation);
 }
 

@@ -17,8 +17,12 @@ namespace TwoPointTables
 {
 /** Errors may be empty, of an exact method. */
 void FillProbabilities(const ruc::SampledTwoPoint& measured, vtkTable* table);
+/** `asymmetry` of a sampled method, SampledTwoPoint; empty of an exact one. Of the errors at zero
+ * and the asymmetry the table has what is not 0 by construction: these of an exact, that of a
+ * sampled method. */
 void FillChecks(const ruc::TwoPointProbability& probability,
-  const std::vector<ruc::TwoPointCheck>& checks, vtkTable* table);
+  const std::vector<ruc::TwoPointCheck>& checks, const std::vector<double>& asymmetry,
+  vtkTable* table);
 void FillGradients(const ruc::TwoPointProbability& probability, vtkTable* table);
 void FillIsotropy(const ruc::DirectionalProbability& directional, vtkTable* table);
 void FillDirections(const ruc::DirectionalProbability& directional, vtkTable* table);

@@ -25,6 +25,7 @@ namespace
 {
 const char* const MethodNames[] = { "Sphere Volumes", "Chord Sampling", "Template Sampling" };
 
+// `errors` may be empty, where none are known
 void FillTable(
   const std::vector<double>& fractions, const std::vector<double>& errors, vtkTable* table)
 {
@@ -36,7 +37,10 @@ void FillTable(
   phases.push_back("m");
   PackData::AddColumn(table, "Phase", phases);
   PackData::AddColumn(table, "VolumeFraction", fractions);
-  PackData::AddColumn(table, "VolumeFraction_error", errors);
+  if (!errors.empty())
+  {
+    PackData::AddColumn(table, "VolumeFraction_error", errors);
+  }
 }
 }
 
@@ -73,7 +77,6 @@ void vtkRUCOnePointProbability::Execute(
   if (exact)
   {
     fractions = ruc::OnePointProbability(pack.Share);
-    errors.assign(fractions.size(), 0.0);
   }
   else
   {

@@ -21,9 +21,10 @@
  * 0), each followed by `…_limit`, which is a two-point function or 0, and `…_error`; 2 checks, a
  * row for each triple and limit: `Triple`, `Place`, `Limit`, `Difference` (discrete norm over the
  * lags k = 1…K of S_rsq - limit; for the place "far apart", both points at the last lag in opposite
- * directions, the magnitude of the difference) and `StandardError` (norm of the standard errors);
- * 3 third-order parameters of every triple r = s = q: `Phase` (m, and all but m), `VolumeFraction`,
- * `zeta`, `eta`, `zeta_error`, `eta_error` (Core/Statistics/ThirdOrderParameters.h).
+ * directions, the magnitude of the difference) and with StandardErrors `StandardError` (norm of the
+ * standard errors); 3 third-order parameters of every triple r = s = q: `Phase` (m, and all but m),
+ * `VolumeFraction`, `zeta`, `eta`, `zeta_error`, `eta_error`
+ * (Core/Statistics/ThirdOrderParameters.h).
  *
  * The two-point functions of the limits are the exact pair sum; where spheres overlap, and with a
  * mask, Chord Sampling of the same region with 20 000 lines. Field data `LimitMethod` says which.

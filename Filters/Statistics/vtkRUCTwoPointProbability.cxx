@@ -122,14 +122,11 @@ void vtkRUCTwoPointProbability::FillTables(const ruc::SampledTwoPoint& measured,
   const ruc::PackShare& share, vtkInformationVector* outputs) const
 {
   const ruc::TwoPointProbability& probability = measured.Mean;
-  std::vector<ruc::TwoPointCheck> checks =
+  const std::vector<ruc::TwoPointCheck> checks =
     ruc::CheckTwoPointProbability(probability, this->SaturationTolerance, share.MeanDiameter());
-  for (std::size_t pair = 0; pair < measured.Asymmetry.size(); ++pair)
-  {
-    checks[pair].Asymmetry = measured.Asymmetry[pair];
-  }
   TwoPointTables::FillProbabilities(measured, vtkTable::GetData(outputs, PROBABILITIES));
-  TwoPointTables::FillChecks(probability, checks, vtkTable::GetData(outputs, CHECKS));
+  TwoPointTables::FillChecks(
+    probability, checks, measured.Asymmetry, vtkTable::GetData(outputs, CHECKS));
   TwoPointTables::FillGradients(probability, vtkTable::GetData(outputs, GRADIENTS));
   TwoPointTables::FillAutocovariance(probability, vtkTable::GetData(outputs, AUTOCOVARIANCES));
 }

@@ -19,8 +19,8 @@
  * Outputs, whole on rank 0: 0 `r`, `S_1_1`, `S_1_2`, …, `S_m_m`, a column for each unordered pair
  * and a row for each lag r_k = k MaximumLag / NumberOfLags, k = 0 to NumberOfLags; then
  * `S_1_1_error`, … (standard errors) of a sampled method; 1 the checks `Pair`, `Limit` (c_r c_s),
- * `ErrorAtZero` (7; 0 for a sampled method, whose c_r is S_rr(0)), `ErrorAtInfinity` (8, at the
- * last lag), `Asymmetry` (9; 0 for the exact method, where S_rs = S_sr by construction) and
+ * `ErrorAtZero` (7; not of a sampled method, whose c_r is S_rr(0)), `ErrorAtInfinity` (8, at the
+ * last lag), `Asymmetry` (9; not of the exact method, where S_rs = S_sr by construction) and
  * `SaturationLength` (not a number where it is not reached); as field data `VolumeCheck` = 1 - sum
  * c_r - c_m, `SphereVolumeFractions` (those of One-Point Probability's Sphere Volumes),
  * `SpecificSurface` (sphere surface / volume of the window) and `SpecificSurfaceFromSlope` (-4

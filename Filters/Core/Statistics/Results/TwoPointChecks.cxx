@@ -58,7 +58,6 @@ std::vector<TwoPointCheck> CheckTwoPointProbability(
       check.Limit = probability.Fractions[r] * probability.Fractions[s];
       check.ErrorAtZero = std::abs(values.front() - (r == s ? probability.Fractions[r] : 0.0));
       check.ErrorAtInfinity = std::abs(values.back() - check.Limit);
-      check.Asymmetry = 0.0;
       check.SaturationLength =
         SaturationLength(values, probability.Lags.Spacing, check.Limit, tolerance, length);
       checks.push_back(check);

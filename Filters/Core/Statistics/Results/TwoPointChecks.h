@@ -19,8 +19,6 @@ struct TwoPointCheck
   double Limit;           // c_r c_s
   double ErrorAtZero;     // |S_rs(0) - c_r delta_rs|, equation (7)
   double ErrorAtInfinity; // |S_rs(r_K) - c_r c_s|, equation (8) at the last lag
-  double Asymmetry; // ||S_rs - S_sr|| / mean ||S||, equation (9); 0 where only one of the two is
-                    // estimated
   double SaturationLength; // not a number where it is not reached
 };
 

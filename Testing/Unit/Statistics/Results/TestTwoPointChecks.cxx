@@ -105,7 +105,6 @@ TEST(TwoPointChecks, ChecksOfAConstructedMedium)
     EXPECT_NEAR(checks[p].Limit, limits[p], 1e-15);
     EXPECT_NEAR(checks[p].ErrorAtZero, zero[p], 1e-15);
     EXPECT_NEAR(checks[p].ErrorAtInfinity, 0.21 * std::exp(-10.0), 1e-15);
-    EXPECT_EQ(checks[p].Asymmetry, 0.0);
     EXPECT_NEAR(checks[p].SaturationLength, -std::log(0.001 / 0.21) + 0.05, 0.05 + 0.002);
     longest = std::max(longest, checks[p].SaturationLength);
   }
