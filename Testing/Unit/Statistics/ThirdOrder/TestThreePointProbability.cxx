@@ -3,34 +3,14 @@
 #include "ruc/Statistics/ThirdOrder/ThreePointProbability.h"
 
 #include "Oracles.h"
-#include "SampledComparison.h"
+#include "Statistics/FanComparison.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
-#include "ruc/Statistics/Sampling/FanSampling.h"
-
-#include <limits>
-#include <map>
-#include <set>
 
 namespace
 {
+using namespace fans;
 using oracle::Pi;
-using ruc::FanSettings;
-using ruc::ParseTriples;
-using ruc::PhaseTriple;
-using ruc::SamplingRegion;
-using ruc::SpherePack;
-using ruc::ThreePointGrid;
-using ruc::ThreePointProbability;
 using ruc::TwoPointProbability;
-using ruc::Window;
-
-ThreePointProbability Fans(const SpherePack& pack, int modes, const SamplingRegion& region,
-  const ThreePointGrid& grid, const std::vector<PhaseTriple>& triples, const FanSettings& settings)
-{
-  const OneThread alone;
-  ruc::Communicator serial;
-  return ruc::SampleFans(pack, modes, region, grid, triples, settings, serial);
-}
 
 /** S_rsq of all triples, s > q included, by name of the phases. */
 class AllTriples
@@ -87,21 +67,6 @@ void ForEachTriple(int phases, Visit&& visit)
       for (int q = 0; q < phases; ++q)
       {
         visit(r, s, q);
-      }
-    }
-  }
-}
-
-template <class Visit>
-void ForEachPlace(const ThreePointGrid& grid, Visit&& visit)
-{
-  for (int t = 0; t < grid.Angles(); ++t)
-  {
-    for (int k2 = 0; k2 < grid.Points(); ++k2)
-    {
-      for (int k1 = 0; k1 < grid.Points(); ++k1)
-      {
-        visit(k1, k2, t);
       }
     }
   }
@@ -189,192 +154,6 @@ void ExpectSumOverPhase(const Medium& medium)
       EXPECT_NEAR(total, 1.0, 2e-15);
     });
 }
-}
-
-TEST(ThreeSpheres, UnionHasItsClosedForms)
-{
-  constexpr double a = 0.8, sphere = 4.0 / 3.0 * Pi * a * a * a;
-  const auto lens = [&](double d) { return oracle::LensVolume(a, a, d); };
-  for (double theta : { 0.0, 0.4, 1.0, Pi / 2.0, 2.5, Pi })
-  {
-    // All three or two coincide
-    EXPECT_NEAR(oracle::UnionOfThree(a, 0.0, 0.0, theta), sphere, 1e-14);
-    EXPECT_NEAR(oracle::CommonToThree(a, 0.0, 0.0, theta), sphere, 1e-14);
-    for (double d : { 0.01, 0.5, 1.3, 1.6, 3.0 })
-    {
-      EXPECT_NEAR(oracle::UnionOfThree(a, d, 0.0, theta), 2.0 * sphere - lens(d), 1e-14);
-      EXPECT_NEAR(oracle::UnionOfThree(a, 0.0, d, theta), 2.0 * sphere - lens(d), 1e-14);
-      // And nearly so: a volume changes by no more than the surface times the displacement
-      EXPECT_NEAR(oracle::UnionOfThree(a, d, 1e-9, theta), 2.0 * sphere - lens(d), 1e-8);
-    }
-  }
-  for (double d : { 0.2, 0.9, 1.5, 2.0 })
-  {
-    EXPECT_NEAR(oracle::UnionOfThree(a, d, d, 0.0), 2.0 * sphere - lens(d), 1e-13);
-    // In a line; the middle one holds what the outer ones share
-    EXPECT_NEAR(
-      oracle::UnionOfThree(a, d, 1.2 * d, Pi), 3.0 * sphere - lens(d) - lens(1.2 * d), 1e-13);
-    EXPECT_NEAR(
-      oracle::UnionOfThree(a, d, 2.2 * d, 0.0), 3.0 * sphere - lens(d) - lens(1.2 * d), 1e-13);
-    EXPECT_NEAR(oracle::CommonToThree(a, d, 2.2 * d, 0.0), lens(2.2 * d), 1e-13);
-  }
-  // Far apart: all, or one from the two others
-  EXPECT_NEAR(oracle::UnionOfThree(a, 2.0, 3.0, 1.5), 3.0 * sphere, 1e-14);
-  EXPECT_NEAR(oracle::UnionOfThree(a, 1.0, 5.0, 1.5), 3.0 * sphere - lens(1.0), 1e-14);
-  // Three lenses that have nothing in common
-  const double third = 2.0 * 1.5 * std::sin(Pi / 6.0);
-  EXPECT_NEAR(oracle::UnionOfThree(a, 1.5, 1.5, Pi / 3.0), 3.0 * sphere - 3.0 * lens(third), 1e-13);
-}
-
-TEST(ThreeSpheres, UnionAgreesWithQuadrature)
-{
-  // The height of the union over the points of the plane, 2 sqrt(a^2 - distance^2) to the nearest
-  // corner, cut at every kink of the integrand along y. Along x kinks are at the ends of the discs,
-  // where two circles cross, and at the circumcentre.
-  constexpr double a = 1.0;
-  oracle::Uniform random(5);
-  for (int n = 0; n < 8; ++n)
-  {
-    const double r1 = random(0.05, 2.3), r2 = random(0.05, 2.3), theta = random(0.02, Pi - 0.02);
-    const double corners[3][2] = { { 0.0, 0.0 }, { r1, 0.0 },
-      { r2 * std::cos(theta), r2 * std::sin(theta) } };
-    std::vector<double> kinks;
-    for (int i = 0; i < 3; ++i)
-    {
-      kinks.push_back(corners[i][0] - a);
-      kinks.push_back(corners[i][0] + a);
-      const double *p = corners[i], *o = corners[(i + 1) % 3];
-      const double x = o[0] - p[0], y = o[1] - p[1], d = std::hypot(x, y);
-      const double half = std::sqrt(std::max(a * a - 0.25 * d * d, 0.0));
-      kinks.push_back(p[0] + 0.5 * x - half * y / d);
-      kinks.push_back(p[0] + 0.5 * x + half * y / d);
-    }
-    const double middleY = (0.5 * r2 - 0.5 * r1 * std::cos(theta)) / std::sin(theta);
-    kinks.push_back(0.5 * r1);
-    const auto [low, high] = std::minmax_element(kinks.begin(), kinks.end());
-    const double from = *low, to = *high;
-    const double volume = oracle::Integrate(from, to, kinks,
-      [&](double x)
-      {
-        std::vector<double> ends = { middleY };
-        for (int i = 0; i < 3; ++i)
-        {
-          const double *p = corners[i], *o = corners[(i + 1) % 3];
-          const double half = std::sqrt(std::max(a * a - (x - p[0]) * (x - p[0]), 0.0));
-          ends.push_back(p[1] - half);
-          ends.push_back(p[1] + half);
-          // The bisector of two corners
-          const double dx = o[0] - p[0], dy = o[1] - p[1];
-          if (std::abs(dy) > 1e-9)
-          {
-            ends.push_back(0.5 * (p[1] + o[1]) - dx / dy * (x - 0.5 * (p[0] + o[0])));
-          }
-        }
-        return oracle::Integrate(-4.0, 4.0, ends,
-          [&](double y)
-          {
-            double height2 = 0.0;
-            for (const double* p : corners)
-            {
-              height2 =
-                std::max(height2, a * a - (x - p[0]) * (x - p[0]) - (y - p[1]) * (y - p[1]));
-            }
-            return 2.0 * std::sqrt(height2);
-          });
-      });
-    // Both to rounding, through sums of cancelling terms of the order of 10
-    EXPECT_NEAR(oracle::UnionOfThree(a, r1, r2, theta), volume, 1e-12)
-      << r1 << " " << r2 << " " << theta;
-  }
-}
-
-TEST(PhaseTriples, AreParsed)
-{
-  using List = std::vector<PhaseTriple>;
-  EXPECT_EQ(
-    ParseTriples("3 5 5; 7 7 5; m m m", 7), (List{ { 2, 4, 4 }, { 6, 6, 4 }, { 7, 7, 7 } }));
-  EXPECT_EQ(ParseTriples("1 m 2", 2), (List{ { 0, 2, 1 } }));
-  // What is repeated counts once; the other order of s and q is another function
-  EXPECT_EQ(ParseTriples("1 1 2;1 2 1 ; 1 1 2", 2), (List{ { 0, 0, 1 }, { 0, 1, 0 } }));
-  EXPECT_EQ(ParseTriples("  \t1   1\n1  ", 1), (List{ { 0, 0, 0 } }));
-  EXPECT_EQ(ParseTriples("m m m;", 3), (List{ { 3, 3, 3 } })); // as after any list
-}
-
-TEST(PhaseTriples, AllOfThem)
-{
-  for (int modes : { 1, 2, 3, 9 })
-  {
-    const std::size_t phases = modes + 1;
-    const std::vector<PhaseTriple> all = ParseTriples("all", modes);
-    EXPECT_EQ(all.size(), phases * phases * (phases + 1) / 2);
-    std::set<std::array<int, 3>> different;
-    for (const PhaseTriple& triple : all)
-    {
-      EXPECT_LE(triple.S, triple.Q);
-      for (int phase : { triple.R, triple.S, triple.Q })
-      {
-        EXPECT_GE(phase, 0);
-        EXPECT_LE(phase, modes);
-      }
-      different.insert({ triple.R, std::min(triple.S, triple.Q), std::max(triple.S, triple.Q) });
-    }
-    EXPECT_EQ(different.size(), all.size());
-  }
-  EXPECT_EQ(ParseTriples(" all ", 1), ParseTriples("all", 1));
-}
-
-TEST(PhaseTriples, RefuseBadText)
-{
-  for (const char* text : { "3 5", "3 5 x", "3 5 5 5", "0 1 1", "1e3 1 1", "1 1 9", "-1 1 1",
-         "1.0 1 1", "1 1 M", "m", "all all", "1 1 1; all", "99999999999999999999 1 1", "1,1,1" })
-  {
-    EXPECT_SAYS(ParseTriples(text, 8), "Phases requires triples of phases, 1 to 8 or m, such as");
-  }
-  EXPECT_SAYS(ParseTriples("3 5 5; 3 5 x", 8), "got ' 3 5 x'.");
-  EXPECT_SAYS(ParseTriples("1 1 1;;2 2 2", 8), "got ''.");
-  EXPECT_SAYS(ParseTriples("3 3 3", 2),
-    "Phases requires triples of phases, 1 to 2 or m, such as '1 1 m; m m m', or 'all', got '3 3 "
-    "3'.");
-  EXPECT_SAYS(ParseTriples("", 2), "Phases requires at least one triple of phases, got none.");
-  EXPECT_SAYS(ParseTriples(";", 2), "Phases requires");
-  EXPECT_SAYS(ParseTriples(" ", 2), "Phases requires");
-}
-
-TEST(PhaseTriples, HaveNames)
-{
-  EXPECT_EQ(ruc::TripleName({ 2, 4, 4 }, 9), "S_3_5_5");
-  EXPECT_EQ(ruc::TripleName({ 0, 9, 9 }, 9), "S_1_m_m");
-  EXPECT_EQ(ruc::TripleName({ 11, 0, 12 }, 12), "S_12_1_m");
-}
-
-TEST(ThreePointGrid, OrdersPlacesAndCountsPairs)
-{
-  for (int directions : { 2, 3, 4, 7, 20 })
-  {
-    const ThreePointGrid grid = { { 0.5, 4 }, directions };
-    std::size_t place = 0;
-    ForEachPlace(grid, [&](int k1, int k2, int t) { EXPECT_EQ(grid.PlaceOf(k1, k2, t), place++); });
-    EXPECT_EQ(grid.Size(), place);
-    std::map<int, int> pairs;
-    for (int i = 0; i < directions; ++i)
-    {
-      for (int j = 0; j < directions; ++j)
-      {
-        ++pairs[std::min(std::abs(i - j), directions - std::abs(i - j))];
-      }
-    }
-    ASSERT_EQ(grid.Angles(), static_cast<int>(pairs.size()));
-    for (int t = 0; t < grid.Angles(); ++t)
-    {
-      EXPECT_EQ(grid.RayPairs(t), pairs[t]);
-      EXPECT_DOUBLE_EQ(grid.Angle(t), 360.0 / directions * t);
-    }
-  }
-  // The paper's angles
-  const ThreePointGrid paper = { { 0.5, 4 }, 20 };
-  EXPECT_EQ(paper.Angle(0), 0.0);
-  EXPECT_EQ(paper.Angle(4), 72.0);
-  EXPECT_EQ(paper.Angle(10), 180.0);
 }
 
 TEST(ThreePointProbability, HasItsLimits)
