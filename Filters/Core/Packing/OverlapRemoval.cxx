@@ -12,17 +12,90 @@
 
 namespace ruc
 {
+namespace
+{
+// Sum of (reach (a + b) - d)+^2 over the pairs of a wrapped pack, and its gradient after the
+// centres
+struct ContactEnergy
+{
+  double Value = 0.0;
+  bool Free = true; // no two spheres overlap
+};
+
+ContactEnergy FindContactEnergy(
+  const SpherePack& pack, const Window& box, double reach, double* gradient)
+{
+  ContactEnergy energy;
+  std::fill_n(gradient, 3 * pack.Size(), 0.0);
+  ForEachContact(pack, box, reach,
+    [&](std::size_t i, std::size_t j, double dx, double dy, double dz, double d)
+    {
+      const double contact = pack.Radius[i] + pack.Radius[j];
+      const double overlap = reach * contact - d;
+      energy.Free = energy.Free && d >= contact;
+      energy.Value += overlap * overlap;
+      const double pull = 2.0 * overlap / std::max(d, std::numeric_limits<double>::min());
+      const double difference[3] = { dx, dy, dz };
+      for (int q = 0; q < 3; ++q)
+      {
+        gradient[3 * i + q] += pull * difference[q];
+        gradient[3 * j + q] -= pull * difference[q];
+      }
+    });
+  return energy;
+}
+
+// Moves every sphere by up to half the smallest radius along each axis
+void Shake(SpherePack& pack, const Window& box, std::uint32_t seed, std::uint32_t attempt)
+{
+  const double smallest = *std::min_element(pack.Radius.begin(), pack.Radius.end());
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    const std::array<double, 3> u = UniformTriple(seed, RandomStream::Shaking, i, attempt);
+    pack.X[i] += smallest * (u[0] - 0.5);
+    pack.Y[i] += smallest * (u[1] - 0.5);
+    pack.Z[i] += smallest * (u[2] - 0.5);
+  }
+  WrapIntoBox(pack, box);
+}
+
+// Descends until no two spheres overlap, or nothing is to be gained. Returns whether the caller
+// wants to go on.
+bool PushApart(
+  SpherePack& pack, const Window& box, double reach, const std::function<bool()>& carryOn)
+{
+  std::vector<double> centres = CentresOf(pack);
+  bool free = false, stopped = false;
+  MinimiserSettings settings;
+  settings.MaximumIterations = 4000;
+  Minimise(
+    centres, settings,
+    [&](const double* place, double* gradient)
+    {
+      SetCentres(pack, box, place);
+      const ContactEnergy energy = FindContactEnergy(pack, box, reach, gradient);
+      free = energy.Free;
+      return energy.Value;
+    },
+    [&](const double*, double, int iteration)
+    {
+      stopped = iteration % 10 == 0 && !carryOn();
+      return !free && !stopped;
+    });
+  SetCentres(pack, box, centres.data());
+  return !stopped;
+}
+}
+
 bool RemoveOverlap(
   SpherePack& pack, const Window& box, std::uint32_t seed, const std::function<bool()>& carryOn)
 {
-  WrapIntoBox(pack, box);
   // Enlarged contacts end the search at a point where the true ones are free; near jamming there is
   // room for less
   constexpr double Enlargements[] = { 1e-4, 1e-5, 1e-6, 1e-4, 1e-5, 1e-6, 1e-5, 1e-6, 1e-5, 1e-6 };
-  constexpr int MaximumIterations = 4000;
-  const double smallest =
-    pack.Empty() ? 0.0 : *std::min_element(pack.Radius.begin(), pack.Radius.end());
-  bool stopped = false;
+  constexpr std::uint32_t AttemptsUnshaken = 3;
+  WrapIntoBox(pack, box);
+  bool goesOn = true;
   std::uint32_t attempt = 0;
   for (double enlargement : Enlargements)
   {
@@ -30,58 +103,16 @@ bool RemoveOverlap(
     {
       return true;
     }
-    if (stopped)
+    if (!goesOn)
     {
       return false;
     }
-    if (attempt >= 3) // jammed: shake
+    if (attempt >= AttemptsUnshaken) // jammed
     {
-      for (std::size_t i = 0; i < pack.Size(); ++i)
-      {
-        const std::array<double, 3> u = UniformTriple(seed, RandomStream::Shaking, i, attempt);
-        pack.X[i] += smallest * (u[0] - 0.5);
-        pack.Y[i] += smallest * (u[1] - 0.5);
-        pack.Z[i] += smallest * (u[2] - 0.5);
-      }
-      WrapIntoBox(pack, box);
+      Shake(pack, box, seed, attempt);
     }
     ++attempt;
-
-    std::vector<double> centres = CentresOf(pack);
-    const double reach = 1.0 + enlargement;
-    bool free = false;
-    const auto evaluate = [&](const double* x, double* gradient)
-    {
-      SetCentres(pack, box, x);
-      std::fill_n(gradient, centres.size(), 0.0);
-      double energy = 0.0;
-      free = true;
-      ForEachContact(pack, box, reach,
-        [&](std::size_t i, std::size_t j, double dx, double dy, double dz, double d)
-        {
-          const double contact = pack.Radius[i] + pack.Radius[j];
-          const double overlap = reach * contact - d;
-          free = free && d >= contact;
-          energy += overlap * overlap;
-          const double pull = 2.0 * overlap / std::max(d, std::numeric_limits<double>::min());
-          const double difference[3] = { dx, dy, dz };
-          for (int q = 0; q < 3; ++q)
-          {
-            gradient[3 * i + q] += pull * difference[q];
-            gradient[3 * j + q] -= pull * difference[q];
-          }
-        });
-      return energy;
-    };
-    MinimiserSettings settings;
-    settings.MaximumIterations = MaximumIterations;
-    Minimise(centres, settings, evaluate,
-      [&](const double*, double, int iteration)
-      {
-        stopped = iteration % 10 == 0 && !carryOn();
-        return !free && !stopped;
-      });
-    SetCentres(pack, box, centres.data());
+    goesOn = PushApart(pack, box, 1.0 + enlargement, carryOn);
   }
   return MeasureOverlap(pack, box).IsNone();
 }

@@ -55,21 +55,11 @@ void OverChunks(
 CellObjective::CellObjective(
   const CellContents& contents, const TwoPointProbability& target, Communicator& communicator)
   : Contents(contents)
-  , Target(target)
   , Ranks(communicator)
   , Histogram(CellTypes(contents), target.Lags, SearchKnots)
-  , Probability(target.Modes, target.Lags)
+  , TwoPoint(contents, target, this->Histogram, communicator)
+  , Overlap(contents, this->Histogram)
 {
-  double volume = 0.0;
-  double weighted = 0.0;
-  for (std::size_t m = 0; m < contents.Count.size(); ++m)
-  {
-    const double modeVolume = contents.Count[m] * SphereVolume(contents.Radius[m]);
-    volume += modeVolume;
-    weighted += modeVolume * contents.Radius[m];
-    this->Probability.Fractions[m] = modeVolume / (contents.Edge * contents.Edge * contents.Edge);
-  }
-  this->PenaltyRadius = weighted / volume;
 }
 
 CellObjective::Terms CellObjective::Evaluate(
@@ -83,9 +73,24 @@ CellObjective::Terms CellObjective::Evaluate(
   {
     types.push_back(pack.Mode[i] - 1);
   }
+  const PairCounts pairs = this->CountAllPairs(cells, types, signal);
+  Terms terms;
+  terms.TwoPoint = this->TwoPoint.Evaluate(pairs);
+  terms.Penalty = this->Overlap.Evaluate(pairs);
+  if (gradient)
+  {
+    this->Potential.assign(this->Histogram.Size(), 0.0);
+    this->TwoPoint.AddPotential(this->Potential);
+    this->Overlap.AddPotential(this->Potential);
+    this->FindGradient(cells, types, gradient);
+  }
+  return terms;
+}
 
-  const std::int64_t mostNeighbours = cells.MostNeighbours();
-  const double scale = PairHistogram::FixedPointScale(pack.Size(), mostNeighbours, 1.0);
+PairCounts CellObjective::CountAllPairs(
+  const CellList& cells, const std::vector<std::int32_t>& types, std::int64_t* signal)
+{
+  const double scale = PairHistogram::FixedPointScale(cells.Size(), cells.MostNeighbours(), 1.0);
   this->Sums.assign(this->Histogram.Size() + 1, 0);
   OverChunks(this->Ranks, cells.Size(), this->Sums,
     [&](std::size_t begin, std::size_t end, std::int64_t* sums)
@@ -99,116 +104,28 @@ CellObjective::Terms CellObjective::Evaluate(
   {
     *signal = this->Sums.back();
   }
+  return { this->Sums.data(), scale };
+}
 
-  // S_rs, the classes shared out over the ranks
-  const std::size_t stride = this->Target.Lags.Count + 1;
-  std::vector<double> pairs(this->Histogram.NumberOfClasses() * stride, 0.0);
-  const double volume = box.Volume();
-#pragma omp parallel for schedule(dynamic)
-  for (int c = this->Ranks.Rank(); c < this->Histogram.NumberOfClasses(); c += this->Ranks.Size())
-  {
-    const PairKernel& kernel = this->Histogram.Kernel(c);
-    const SphereType& low = this->Histogram.LowerType(c);
-    const SphereType& high = this->Histogram.HigherType(c);
-    const double factor = (low == high ? 2.0 : 1.0) / (scale * volume);
-    std::vector<double> weights(kernel.Size());
-    std::transform(&this->Sums[this->Histogram.Begin(c)], &this->Sums[this->Histogram.Begin(c + 1)],
-      weights.begin(), [&](std::int64_t sum) { return factor * sum; });
-    double* s = &pairs[c * stride];
-    kernel.AddOverlap(weights.data(), s);
-    for (std::size_t k = 0;
-         low == high && k < stride && k * this->Target.Lags.Spacing < 2.0 * low.Radius; ++k)
-    {
-      s[k] += this->Contents.Count[low.Mode - 1] *
-        LensVolume(low.Radius, low.Radius, k * this->Target.Lags.Spacing) / volume;
-    }
-  }
-  this->Ranks.Share(pairs.data(), pairs.size());
-  for (int c = 0; c < this->Histogram.NumberOfClasses(); ++c)
-  {
-    std::copy_n(&pairs[c * stride], stride,
-      this->Probability
-        .S(this->Histogram.LowerType(c).Mode - 1, this->Histogram.HigherType(c).Mode - 1)
-        .begin());
-  }
-  this->Probability.CompleteMatrix();
-
-  Terms terms;
-  terms.TwoPoint = TwoPointDifference(this->Target, this->Probability);
-  const double penalty = this->PenaltyWeight / (this->PenaltyRadius * this->PenaltyRadius);
-  std::vector<double> penalties(this->Histogram.Size(), 0.0);
-  terms.Penalty = 0.0;
-  for (int c = 0; c < this->Histogram.NumberOfClasses(); ++c)
-  {
-    this->Histogram.Kernel(c).AddOverlapPenalty(penalty, &penalties[this->Histogram.Begin(c)]);
-  }
-  for (std::size_t n = 0; n < penalties.size(); ++n)
-  {
-    terms.Penalty += penalties[n] * (this->Sums[n] / scale);
-  }
-  if (!gradient)
-  {
-    return terms;
-  }
-
-  this->Potential = std::move(penalties);
-  this->AddTwoPointPotential(volume);
+void CellObjective::FindGradient(
+  const CellList& cells, const std::vector<std::int32_t>& types, double* gradient) const
+{
   std::vector<double> slopes;
   const double steepest = FindSlopes(this->Histogram, this->Potential, slopes);
-  const double forceScale =
-    PairHistogram::FixedPointScale(1, mostNeighbours, std::max(steepest, 1e-30));
+  const double scale =
+    PairHistogram::FixedPointScale(1, cells.MostNeighbours(), std::max(steepest, 1e-30));
   std::vector<std::int64_t> forces(4 * cells.Size(), 0);
   OverChunks(this->Ranks, cells.Size(), forces,
     [&](std::size_t begin, std::size_t end, std::int64_t* sums)
-    { AddPairForces(this->Histogram, cells, types, slopes, forceScale, begin, end, sums); });
+    { AddPairForces(this->Histogram, cells, types, slopes, scale, begin, end, sums); });
   this->Ranks.Sum(forces.data(), forces.size());
   for (std::size_t j = 0; j < cells.Size(); ++j)
   {
     for (int q = 0; q < 3; ++q)
     {
-      gradient[3 * cells.Index[j] + q] = forces[4 * j + q] / forceScale;
+      gradient[3 * cells.Index[j] + q] = forces[4 * j + q] / scale;
     }
   }
-  return terms;
-}
-
-void CellObjective::AddTwoPointPotential(double volume)
-{
-  // e_rs = (S_rs - target) / || S_rs - target ||
-  const std::size_t lags = this->Target.Lags.Count + 1;
-  TwoPointProbability unit(this->Target.Modes, this->Target.Lags);
-  for (int p = 0; p < unit.Pairs(); ++p)
-  {
-    std::transform(this->Probability.Values[p].begin(), this->Probability.Values[p].end(),
-      this->Target.Values[p].begin(), unit.Values[p].begin(), std::minus<>());
-    const double norm = DiscreteNorm(unit.Values[p]);
-    for (double& value : unit.Values[p])
-    {
-      value = norm > 0.0 ? value / norm : 0.0;
-    }
-    unit.Values[p][0] = 0.0; // the norm leaves the lag 0 out
-  }
-  const int m = this->Target.Modes;
-  std::vector<double> potential(this->Histogram.Size(), 0.0);
-#pragma omp parallel for schedule(dynamic)
-  for (int c = this->Ranks.Rank(); c < this->Histogram.NumberOfClasses(); c += this->Ranks.Size())
-  {
-    const int r = this->Histogram.LowerType(c).Mode - 1;
-    const int s = this->Histogram.HigherType(c).Mode - 1;
-    // A pair of modes r != s stands twice in the sum over all ordered pairs, and so do its matrix
-    // terms; a pair of particles of one mode counts twice in S_rr. Either way the derivative after
-    // one more pair is twice e_rs - ….
-    std::vector<double> lambda(lags);
-    for (std::size_t k = 1; k < lags; ++k)
-    {
-      lambda[k] =
-        2.0 / volume * (unit.S(r, s)[k] - unit.S(r, m)[k] - unit.S(s, m)[k] + unit.S(m, m)[k]);
-    }
-    this->Histogram.Kernel(c).AddPotential(lambda.data(), &potential[this->Histogram.Begin(c)]);
-  }
-  this->Ranks.Share(potential.data(), potential.size());
-  std::transform(potential.begin(), potential.end(), this->Potential.begin(),
-    this->Potential.begin(), std::plus<>());
 }
 
 double EstimateEvaluation(const CellFigures& cell, const LagGrid& lags, bool withGradient)

@@ -4,8 +4,9 @@
 
 #include "ruc/Base/Communicator.h"
 #include "ruc/Reconstruction/CellContents.h"
+#include "ruc/Reconstruction/OverlapTerm.h"
+#include "ruc/Reconstruction/TwoPointTerm.h"
 #include "ruc/Statistics/PairSums/PairHistogram.h"
-#include "ruc/Statistics/Results/TwoPointProbability.h"
 
 #include <cstdint>
 #include <vector>
@@ -13,17 +14,15 @@
 namespace ruc
 {
 /**
- * The objective of the reconstruction and its gradient: F2, equation (13), of a periodic cell
- * against a target, plus a penalty for spheres that overlap,
+ * The objective of the reconstruction and its gradient, a sum of terms: F2, equation (13), of a
+ * periodic cell against a target (TwoPointTerm), plus a penalty for spheres that overlap
+ * (OverlapTerm).
  *
- *     F2 + w sum over overlapping pairs of ((a + b - d) / r)^2,
- *
- * r the mean radius, weighted by volume, of the cell's spheres.
- *
- * F2 depends on the centres through the pair distances alone. With lambda_rs(k) = dF2/dS_rs(r_k)
- * the tabulated pair potential Phi_rs(d) = sum_k lambda_rs(k) g_rs(r_k; d) gives dF2/dx_i as a sum
- * of pair forces, at the cost of one more pass over the pairs. The penalty is part of the same
- * tables. Centres are in the order of the modes: first all of mode 1, …
+ * Both terms depend on the centres through the pair distances alone. The pairs are counted once for
+ * all terms into a histogram, from which each term works out its value. For the gradient each term
+ * adds to one tabulated pair potential what a further pair of that distance changes of its value;
+ * one more pass over the pairs then gives the gradient as a sum of pair forces. A term that depends
+ * on more than pairs is evaluated beside these and adds to the gradient after that pass.
  *
  * The pairs are split over the ranks; sums over pairs are integers, so every rank gets the same
  * bits, whatever their number.
@@ -33,37 +32,40 @@ class CellObjective
 public:
   CellObjective(
     const CellContents& contents, const TwoPointProbability& target, Communicator& communicator);
+  CellObjective(const CellObjective&) = delete; // the terms refer to the histogram
+  void operator=(const CellObjective&) = delete;
 
-  void SetPenaltyWeight(double weight) { this->PenaltyWeight = weight; }
+  void SetPenaltyWeight(double weight) { this->Overlap.SetWeight(weight); }
 
   struct Terms
   {
-    double TwoPoint; // F2
-    double Penalty;  // w times the sum
+    double TwoPoint = 0.0; // F2
+    double Penalty = 0.0;  // for overlap
     double Total() const { return this->TwoPoint + this->Penalty; }
   };
 
   /**
-   * Collective. `centres` holds x, y, z of every sphere, anywhere in space; `gradient` as many
-   * numbers, or null when it is not wanted. `signal` is a number of the ranks' own that is summed
-   * along, such as a wish to stop; it may be null.
+   * Collective. `centres` holds x, y, z of every sphere in the order of the modes, first all of
+   * mode 1, anywhere in space; `gradient` as many numbers, or null when it is not wanted. `signal`
+   * is a number of the ranks' own that is summed along, such as a wish to stop; it may be null.
    */
   Terms Evaluate(const double* centres, double* gradient, std::int64_t* signal = nullptr);
 
   /** The two-point probability of the cell evaluated last. */
-  const TwoPointProbability& GetProbability() const { return this->Probability; }
+  const TwoPointProbability& GetProbability() const { return this->TwoPoint.GetProbability(); }
 
 private:
-  // Adds sum_k lambda g to the potential that holds the penalty
-  void AddTwoPointPotential(double volume);
+  PairCounts CountAllPairs(
+    const CellList& cells, const std::vector<std::int32_t>& types, std::int64_t* signal);
+  // The derivative of the potential's sum over all pairs
+  void FindGradient(
+    const CellList& cells, const std::vector<std::int32_t>& types, double* gradient) const;
 
   CellContents Contents;
-  const TwoPointProbability& Target;
   Communicator& Ranks;
   PairHistogram Histogram;
-  TwoPointProbability Probability;
-  double PenaltyWeight = 1.0;
-  double PenaltyRadius;
+  TwoPointTerm TwoPoint;
+  OverlapTerm Overlap;
   std::vector<std::int64_t> Sums;
   std::vector<double> Potential;
 };

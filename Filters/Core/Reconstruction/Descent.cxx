@@ -12,6 +12,7 @@ namespace ruc
 namespace
 {
 using Numbers = std::vector<double>;
+using EvaluateFunction = std::function<bool(const double* place, double* gradient, double& value)>;
 
 // Of the weak Wolfe conditions
 constexpr double SufficientDecrease = 1e-4, SufficientFlattening = 0.9;
@@ -79,11 +80,66 @@ void Remember(DescentState& state, Numbers step, Numbers change, std::size_t mem
   state.Steps.push_back(std::move(step));
   state.GradientChanges.push_back(std::move(change));
 }
+
+struct Point
+{
+  Numbers Place, Gradient;
+  double Value = 0.0;
+};
+
+// Whether `evaluate` went on, and whether a point was found
+struct LineEnd
+{
+  bool GivenUp = false, Found = false;
+};
+
+// A point down the direction that meets the weak Wolfe conditions
+LineEnd SearchLine(const DescentState& state, const Numbers& direction, int maximumTrials,
+  const EvaluateFunction& evaluate, Point& point)
+{
+  const double slope = Dot(state.Gradient, direction);
+  double low = 0.0, high = std::numeric_limits<double>::infinity(), length = 1.0;
+  for (int trial = 0; slope < 0.0 && trial < maximumTrials; ++trial)
+  {
+    point.Place = state.Place;
+    AddScaled(point.Place, length, direction);
+    if (!evaluate(point.Place.data(), point.Gradient.data(), point.Value))
+    {
+      return { true, false };
+    }
+    if (!(point.Value <= state.Value + SufficientDecrease * length * slope))
+    {
+      high = length;
+    }
+    else if (Dot(point.Gradient, direction) < SufficientFlattening * slope)
+    {
+      low = length;
+    }
+    else
+    {
+      return { false, true };
+    }
+    length = std::isinf(high) ? 2.0 * low : 0.5 * (low + high);
+  }
+  return {};
+}
+
+// One iteration
+void MoveTo(DescentState& state, Point point, std::size_t memory)
+{
+  Numbers step = point.Place, change = point.Gradient;
+  AddScaled(step, -1.0, state.Place);
+  AddScaled(change, -1.0, state.Gradient);
+  Remember(state, std::move(step), std::move(change), memory);
+  state.Place = std::move(point.Place);
+  state.Gradient = std::move(point.Gradient);
+  state.Value = point.Value;
+  ++state.Iterations;
+}
 }
 
 DescentEnd Descend(DescentState& state, const DescentSettings& settings,
-  const std::function<bool(const double* place, double* gradient, double& value)>& evaluate,
-  const std::function<bool(const DescentState&)>& progress)
+  const EvaluateFunction& evaluate, const std::function<bool(const DescentState&)>& progress)
 {
   if (state.Gradient.empty())
   {
@@ -96,58 +152,29 @@ DescentEnd Descend(DescentState& state, const DescentSettings& settings,
   }
   while (true)
   {
-    const Numbers direction = Direction(state, settings.FirstStep);
-    const double slope = Dot(state.Gradient, direction);
-    double low = 0.0, high = std::numeric_limits<double>::infinity(), length = 1.0;
-    Numbers place, gradient(state.Place.size());
-    double value = 0.0;
-    bool found = false;
-    for (int trial = 0; slope < 0.0 && trial < settings.MaximumTrials && !found; ++trial)
+    Point point{ {}, Numbers(state.Place.size()) };
+    const LineEnd line = SearchLine(
+      state, Direction(state, settings.FirstStep), settings.MaximumTrials, evaluate, point);
+    if (line.GivenUp)
     {
-      place = state.Place;
-      AddScaled(place, length, direction);
-      if (!evaluate(place.data(), gradient.data(), value))
+      return DescentEnd::GivenUp;
+    }
+    if (line.Found)
+    {
+      MoveTo(state, std::move(point), settings.Memory);
+      if (!progress(state))
       {
-        return DescentEnd::GivenUp;
-      }
-      if (!(value <= state.Value + SufficientDecrease * length * slope))
-      {
-        high = length;
-      }
-      else if (Dot(gradient, direction) < SufficientFlattening * slope)
-      {
-        low = length;
-      }
-      else
-      {
-        found = true;
-      }
-      if (!found)
-      {
-        length = std::isinf(high) ? 2.0 * low : 0.5 * (low + high);
+        return DescentEnd::Told;
       }
     }
-    if (!found && state.Steps.empty())
+    else if (state.Steps.empty())
     {
       return DescentEnd::NowhereTo;
     }
-    if (!found) // what is remembered of another place may mislead
+    else // what is remembered of another place may mislead
     {
       state.Steps.clear();
       state.GradientChanges.clear();
-      continue;
-    }
-    Numbers step = place, change = gradient;
-    AddScaled(step, -1.0, state.Place);
-    AddScaled(change, -1.0, state.Gradient);
-    Remember(state, std::move(step), std::move(change), settings.Memory);
-    state.Place = std::move(place);
-    state.Gradient = std::move(gradient);
-    state.Value = value;
-    ++state.Iterations;
-    if (!progress(state))
-    {
-      return DescentEnd::Told;
     }
   }
 }

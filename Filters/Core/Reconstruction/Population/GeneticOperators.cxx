@@ -141,4 +141,49 @@ Chromosome HeuristicCrossover(
   }
   return child;
 }
+
+GeneticOperator DrawOperator(const OperatorWeights& weights, RandomSequence& random)
+{
+  double rest = random.Next() * std::accumulate(weights.begin(), weights.end(), 0.0);
+  int last = 0;
+  for (int n = 0; n < NumberOfGeneticOperators; ++n)
+  {
+    if (weights[n] > 0.0)
+    {
+      last = n;
+      if (rest < weights[n])
+      {
+        break;
+      }
+      rest -= weights[n];
+    }
+  }
+  return static_cast<GeneticOperator>(last);
+}
+
+Chromosome ApplyOperator(GeneticOperator number, const Chromosome& parent, const Chromosome& mate,
+  bool parentIsBetter, double edge, int spheres, const MutationRange& range, RandomSequence& random)
+{
+  switch (number)
+  {
+    case GeneticOperator::UniformMutation:
+      return UniformMutation(parent, edge, spheres, random);
+    case GeneticOperator::BoundaryMutation:
+      return BoundaryMutation(parent, spheres, random);
+    case GeneticOperator::NonUniformMutation:
+      return NonUniformMutation(parent, edge, spheres, range, random);
+    case GeneticOperator::MultiNonUniformMutation:
+      return MultiNonUniformMutation(parent, edge, range, random);
+    case GeneticOperator::SimpleCrossover:
+      return SimpleCrossover(parent, mate, random);
+    case GeneticOperator::SimpleArithmeticCrossover:
+      return SimpleArithmeticCrossover(parent, mate, edge, spheres, random);
+    case GeneticOperator::WholeArithmeticCrossover:
+      return WholeArithmeticCrossover(parent, mate, edge, random);
+    case GeneticOperator::HeuristicCrossover:
+      break;
+  }
+  return parentIsBetter ? HeuristicCrossover(parent, mate, edge, random)
+                        : HeuristicCrossover(mate, parent, edge, random);
+}
 }

@@ -4,6 +4,7 @@
 
 #include "ruc/Base/Random.h"
 
+#include <array>
 #include <vector>
 
 namespace ruc
@@ -70,4 +71,28 @@ Chromosome WholeArithmeticCrossover(
 /** x' = x + p (x - y), p = u(0, 1), of all genes: on from the worse parent y over the better, x. */
 Chromosome HeuristicCrossover(
   const Chromosome& better, const Chromosome& worse, double edge, RandomSequence& random);
+
+/** The operators above. Weights of operators are in this order. */
+enum class GeneticOperator
+{
+  UniformMutation,
+  BoundaryMutation,
+  NonUniformMutation,
+  MultiNonUniformMutation,
+  SimpleCrossover,
+  SimpleArithmeticCrossover,
+  WholeArithmeticCrossover,
+  HeuristicCrossover
+};
+constexpr int NumberOfGeneticOperators = 8;
+using OperatorWeights = std::array<double, NumberOfGeneticOperators>;
+
+/** One of the operators, drawn by a roulette of these weights; their sum is > 0. */
+GeneticOperator DrawOperator(const OperatorWeights& weights, RandomSequence& random);
+
+/** The child by any operator of `parent`, and of `mate` where it takes two. `parentIsBetter` says
+ * which of them is, for the heuristic crossover. */
+Chromosome ApplyOperator(GeneticOperator number, const Chromosome& parent, const Chromosome& mate,
+  bool parentIsBetter, double edge, int spheres, const MutationRange& range,
+  RandomSequence& random);
 }

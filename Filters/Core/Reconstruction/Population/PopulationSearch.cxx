@@ -23,35 +23,12 @@ namespace ruc
 {
 namespace
 {
-// Streams of random numbers besides those of CellStart and OverlapRemoval; a sequence of the first
-// is a generation, one of the second a child of all generations
-
 struct Member
 {
   Chromosome Centres;
   double Objective = 0.0;
   double OverlapPercent = 0.0;
 };
-
-// Place of a weight drawn by roulette
-int DrawOperator(const std::array<double, NumberOfGeneticOperators>& weights, double u)
-{
-  double rest = u * std::accumulate(weights.begin(), weights.end(), 0.0);
-  int last = 0;
-  for (int n = 0; n < NumberOfGeneticOperators; ++n)
-  {
-    if (weights[n] > 0.0)
-    {
-      last = n;
-      if (rest < weights[n])
-      {
-        break;
-      }
-      rest -= weights[n];
-    }
-  }
-  return last;
-}
 
 class Search
 {
@@ -273,37 +250,15 @@ private:
   Chromosome Alter(
     int parent, int mate, const std::vector<double>& fitness, RandomSequence& random) const
   {
-    const Chromosome& x = this->State.Centres[parent];
-    const Chromosome& y = this->State.Centres[mate];
-    const double edge = this->Contents.Edge;
     const int all = this->Contents.NumberOfSpheres();
     const int some = std::clamp<int>(std::lround(this->Settings.MutatedShare * all), 1, all);
     const MutationRange range = {
       std::min(double(this->State.Generation) / this->Settings.MutationGenerations, 1.0),
       this->Settings.MutationShape, this->Settings.MutationReach
     };
-    switch (
-      static_cast<GeneticOperator>(DrawOperator(this->Settings.OperatorWeights, random.Next())))
-    {
-      case GeneticOperator::UniformMutation:
-        return UniformMutation(x, edge, some, random);
-      case GeneticOperator::BoundaryMutation:
-        return BoundaryMutation(x, some, random);
-      case GeneticOperator::NonUniformMutation:
-        return NonUniformMutation(x, edge, some, range, random);
-      case GeneticOperator::MultiNonUniformMutation:
-        return MultiNonUniformMutation(x, edge, range, random);
-      case GeneticOperator::SimpleCrossover:
-        return SimpleCrossover(x, y, random);
-      case GeneticOperator::SimpleArithmeticCrossover:
-        return SimpleArithmeticCrossover(x, y, edge, some, random);
-      case GeneticOperator::WholeArithmeticCrossover:
-        return WholeArithmeticCrossover(x, y, edge, random);
-      case GeneticOperator::HeuristicCrossover:
-        break;
-    }
-    return fitness[parent] <= fitness[mate] ? HeuristicCrossover(x, y, edge, random)
-                                            : HeuristicCrossover(y, x, edge, random);
+    const GeneticOperator drawn = DrawOperator(this->Settings.OperatorWeights, random);
+    return ApplyOperator(drawn, this->State.Centres[parent], this->State.Centres[mate],
+      fitness[parent] <= fitness[mate], this->Contents.Edge, some, range, random);
   }
 
   // Lets a child take its parent's place, `u` being drawn

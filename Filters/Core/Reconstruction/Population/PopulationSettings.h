@@ -5,26 +5,11 @@
 #include "ruc/Base/Estimate.h"
 #include "ruc/Packing/Deposition.h"
 #include "ruc/Reconstruction/CellObjective.h"
+#include "ruc/Reconstruction/Population/GeneticOperators.h"
 #include "ruc/Reconstruction/SearchSettings.h"
-
-#include <array>
 
 namespace ruc
 {
-/** The operators of GeneticOperators.h, in the order of PopulationSettings::OperatorWeights. */
-enum class GeneticOperator
-{
-  UniformMutation,
-  BoundaryMutation,
-  NonUniformMutation,
-  MultiNonUniformMutation,
-  SimpleCrossover,
-  SimpleArithmeticCrossover,
-  WholeArithmeticCrossover,
-  HeuristicCrossover
-};
-constexpr int NumberOfGeneticOperators = 8;
-
 /** Defaults are the paper's (section IV B) where it names a number. */
 struct PopulationSettings : SearchSettings
 {
@@ -38,7 +23,7 @@ struct PopulationSettings : SearchSettings
   double SelectionPressure = 1.5; // of DrawMatingPool
   double HalfOverlap = 1.0;       // of OverlapPenalty, in percent
 
-  std::array<double, NumberOfGeneticOperators> OperatorWeights = { 1, 1, 1, 1, 1, 1, 1, 1 };
+  ruc::OperatorWeights OperatorWeights = { 1, 1, 1, 1, 1, 1, 1, 1 };
   double MutatedShare = 0.01; // of the spheres that an operator on some changes
   double MutationShape = 2.0; // b of the non-uniform mutations
   double MutationReach = 1.0; // the longest non-uniform mutation, in half edges

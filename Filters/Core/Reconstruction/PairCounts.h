@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace ruc
+{
+/** The pairs of a cell as the terms of its objective see them: its whole PairHistogram, in fixed
+ * point. */
+struct PairCounts
+{
+  const std::int64_t* Sums; // as many as PairHistogram::Size()
+  double Scale;             // what a pair weighs in them
+};
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Base/Communicator.h"
+#include "ruc/Reconstruction/CellContents.h"
+#include "ruc/Reconstruction/PairCounts.h"
+#include "ruc/Statistics/PairSums/PairHistogram.h"
+#include "ruc/Statistics/Results/TwoPointProbability.h"
+
+#include <vector>
+
+namespace ruc
+{
+/**
+ * F2, equation (13), of a periodic cell against a target: the first term of CellObjective.
+ *
+ * With lambda_rs(k) = dF2/dS_rs(r_k) the tabulated pair potential Phi_rs(d) = sum_k lambda_rs(k)
+ * g_rs(r_k; d) gives dF2/dx_i as a sum of pair forces.
+ *
+ * The classes of pairs are shared out over the ranks, and every rank gets the same bits, whatever
+ * their number.
+ */
+class TwoPointTerm
+{
+public:
+  /** All that is referred to must outlive the term; `classes` are the cell's own. */
+  TwoPointTerm(const CellContents& contents, const TwoPointProbability& target,
+    const PairHistogram& classes, Communicator& communicator);
+
+  /** Collective: F2. */
+  double Evaluate(const PairCounts& pairs);
+
+  /** Collective: adds Phi_rs of the pairs evaluated last to `potential`, a function on the knots of
+   * all classes. */
+  void AddPotential(std::vector<double>& potential) const;
+
+  /** S_rs of the pairs evaluated last. */
+  const TwoPointProbability& GetProbability() const { return this->Probability; }
+
+private:
+  // S_rs of a class of pairs, of which both particles and one alone have their share, at every lag
+  void FindProbability(int pairClass, const PairCounts& pairs, double* probability) const;
+
+  std::vector<int> Count; // spheres of every mode
+  double Volume;          // of the cell
+  const TwoPointProbability& Target;
+  const PairHistogram& Classes;
+  Communicator& Ranks;
+  TwoPointProbability Probability;
+};
+}
