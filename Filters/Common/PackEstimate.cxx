@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace
@@ -24,37 +24,41 @@ namespace
 // As many spheres tell the sizes of all
 constexpr vtkIdType MostLookedAt = 20000;
 
-void Require(bool good, const char* what)
+// Null where there is none of one number a point
+vtkDataArray* FindArray(vtkPointSet* piece, const char* name)
 {
-  if (!good)
-  {
-    throw std::invalid_argument(ruc::Text("An estimate requires ", what, "."));
-  }
+  vtkDataArray* array = piece->GetPointData()->GetArray(name);
+  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
 }
 
-// The window of a pack without one, of which a rank knows its piece: the piece's bounds, or a cube
-// of the pack's volume where there is more of it
-ruc::Window GuessWindow(vtkPointSet* piece, double share)
+// Null where there is none of a row and more
+vtkDataArray* FindColumn(vtkTable* table, const std::string& name)
 {
-  double bounds[6];
-  piece->GetBounds(bounds);
-  ruc::Vector3 edges = { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] };
-  if (share < 1.0)
-  {
-    const double volume = edges[0] * edges[1] * edges[2] / share;
-    edges.fill(std::cbrt(volume));
-  }
-  return ruc::Window::MakeBox({ 0.0, 0.0, 0.0 }, edges, { false, false, false });
-}
+  vtkDataArray* column = vtkDataArray::SafeDownCast(table->GetColumnByName(name.c_str()));
+  return column && column->GetNumberOfTuples() > 1 ? column : nullptr;
 }
 
-ruc::PackFigures PackEstimate::FindFigures(
-  vtkPointSet* piece, const PackData::WindowProperties& properties, double spheres, int ranks)
+// Of all ranks
+std::optional<double> FindSpheres(vtkPointSet* piece, double told, int ranks)
 {
-  const vtkIdType points = piece ? piece->GetNumberOfPoints() : 0;
-  Require(points > 0, "spheres on this rank");
-  vtkDataArray* radius = PackData::RequireArray(piece, "Radius");
-  vtkDataArray* mode = PackData::RequireArray(piece, "Mode");
+  if (told > 0.0)
+  {
+    return told;
+  }
+  if (ranks == 1)
+  {
+    return static_cast<double>(piece->GetNumberOfPoints());
+  }
+  vtkDataArray* total = piece->GetFieldData()->GetArray("NumberOfSpheres");
+  if (!total || total->GetNumberOfValues() != 1)
+  {
+    return {};
+  }
+  return total->GetTuple1(0);
+}
+
+ruc::PackFigures FindSizes(vtkDataArray* radius, vtkDataArray* mode, vtkIdType points)
+{
   ruc::PackFigures pack;
   double cubes = 0.0, number = 0.0;
   std::set<std::pair<double, double>> types;
@@ -73,37 +77,66 @@ ruc::PackFigures PackEstimate::FindFigures(
   pack.LargestRadius = radius->GetRange(0)[1];
   pack.Modes = static_cast<int>(std::clamp(mode->GetRange(0)[1], 1.0, 1e6));
   pack.Types = static_cast<int>(types.size());
-
-  vtkDataArray* total = piece->GetFieldData()->GetArray("NumberOfSpheres");
-  pack.Spheres = static_cast<double>(points);
-  if (spheres > 0.0)
-  {
-    pack.Spheres = spheres;
-  }
-  else if (ranks > 1)
-  {
-    Require(total && total->GetNumberOfValues() == 1, "the number of spheres on all ranks");
-    pack.Spheres = total->GetTuple1(0);
-  }
-  const std::optional<ruc::Window> window = PackData::FindWindowHere(piece, properties);
-  pack.Observed = window ? *window : GuessWindow(piece, points / pack.Spheres);
-  Require(pack.MeanRadius > 0.0 && std::isfinite(cubes), "spheres in space");
   return pack;
 }
 
-ruc::CellFigures PackEstimate::FindCellFigures(
+// The window of a pack without one, of which a rank knows its piece: the piece's bounds, or a cube
+// of the pack's volume where there is more of it
+ruc::Window GuessWindow(vtkPointSet* piece, double share)
+{
+  double bounds[6];
+  piece->GetBounds(bounds);
+  ruc::Vector3 edges = { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] };
+  if (share < 1.0)
+  {
+    const double volume = edges[0] * edges[1] * edges[2] / share;
+    edges.fill(std::cbrt(volume));
+  }
+  return ruc::Window::MakeBox({ 0.0, 0.0, 0.0 }, edges, { false, false, false });
+}
+}
+
+std::optional<ruc::PackFigures> PackEstimate::FindFigures(
+  vtkPointSet* piece, const PackData::WindowProperties& properties, double spheres, int ranks)
+{
+  const vtkIdType points = piece ? piece->GetNumberOfPoints() : 0;
+  vtkDataArray* radius = points > 0 ? FindArray(piece, "Radius") : nullptr;
+  vtkDataArray* mode = points > 0 ? FindArray(piece, "Mode") : nullptr;
+  const std::optional<double> all =
+    points > 0 ? FindSpheres(piece, spheres, ranks) : std::optional<double>();
+  if (!radius || !mode || !all)
+  {
+    return {};
+  }
+  ruc::PackFigures pack = FindSizes(radius, mode, points);
+  if (!(pack.MeanRadius > 0.0 && std::isfinite(pack.MeanDiameter)))
+  {
+    return {};
+  }
+  pack.Spheres = *all;
+  const std::optional<ruc::Window> window = PackData::FindWindowHere(piece, properties);
+  pack.Observed = window ? *window : GuessWindow(piece, points / pack.Spheres);
+  return pack;
+}
+
+std::optional<ruc::CellFigures> PackEstimate::FindCellFigures(
   vtkTable* table, const std::vector<double>& diameters, ruc::LagGrid& lags)
 {
-  vtkDataArray* r = vtkDataArray::SafeDownCast(table->GetColumnByName("r"));
-  Require(r && r->GetNumberOfTuples() > 1, "a table of S_rs");
+  vtkDataArray* r = FindColumn(table, "r");
+  if (!r)
+  {
+    return {};
+  }
   lags.Count = static_cast<int>(r->GetNumberOfTuples()) - 1;
   lags.Spacing = r->GetTuple1(lags.Count) / lags.Count;
   std::vector<double> fractions;
   for (std::size_t mode = 1; mode <= diameters.size(); ++mode)
   {
-    vtkDataArray* s =
-      vtkDataArray::SafeDownCast(table->GetColumnByName(ruc::Text("S_", mode, "_", mode).c_str()));
-    Require(s && s->GetNumberOfTuples() > 1, "a column for each mode");
+    vtkDataArray* s = FindColumn(table, ruc::Text("S_", mode, "_", mode));
+    if (!s)
+    {
+      return {};
+    }
     fractions.push_back(s->GetTuple1(0));
   }
   const ruc::ModeAmounts amounts(fractions, diameters);

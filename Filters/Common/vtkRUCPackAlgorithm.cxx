@@ -13,7 +13,14 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <stdexcept>
+
+namespace
+{
+double KnownOrZero(double number)
+{
+  return std::isfinite(number) && number > 0.0 ? number : 0.0;
+}
+}
 
 int vtkRUCPackAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -41,57 +48,50 @@ PackData::WindowProperties vtkRUCPackAlgorithm::GetWindowProperties() const
   return properties;
 }
 
-ruc::PackFigures vtkRUCPackAlgorithm::FindFigures()
+std::optional<ruc::PackFigures> vtkRUCPackAlgorithm::FindFigures()
 {
   const RankCommunicator ranks(this->GetController());
   return PackEstimate::FindFigures(vtkPointSet::SafeDownCast(this->GetInputDataObject(0, 0)),
     this->GetWindowProperties(), static_cast<double>(this->SpheresInInput), ranks.Size());
 }
 
-ruc::Estimate vtkRUCPackAlgorithm::MakeEstimate()
+std::optional<ruc::Estimate> vtkRUCPackAlgorithm::MakeEstimate()
 {
-  throw std::invalid_argument("not known");
+  return {};
+}
+
+std::optional<ruc::Estimate> vtkRUCPackAlgorithm::FindEstimate()
+{
+  try
+  {
+    return this->MakeEstimate();
+  }
+  catch (const std::exception&)
+  {
+    // It is the run that says what is wrong
+    return {};
+  }
 }
 
 double vtkRUCPackAlgorithm::GetEstimatedTime()
 {
   const RankCommunicator ranks(this->GetController());
-  try
-  {
-    const double seconds = this->MakeEstimate().Seconds / PackEstimate::Cores(ranks.Size());
-    return std::isfinite(seconds) && seconds > 0.0 ? seconds : 0.0;
-  }
-  catch (const std::exception&)
-  {
-    return 0.0;
-  }
+  const std::optional<ruc::Estimate> estimate = this->FindEstimate();
+  return estimate ? KnownOrZero(estimate->Seconds / PackEstimate::Cores(ranks.Size())) : 0.0;
 }
 
 double vtkRUCPackAlgorithm::GetEstimatedMemory()
 {
   const RankCommunicator ranks(this->GetController());
-  try
-  {
-    const ruc::Estimate estimate = this->MakeEstimate();
-    const double megabytes = estimate.MegabytesOfRank + estimate.MegabytesOfAll / ranks.Size();
-    return std::isfinite(megabytes) && megabytes > 0.0 ? megabytes : 0.0;
-  }
-  catch (const std::exception&)
-  {
-    return 0.0;
-  }
+  const std::optional<ruc::Estimate> estimate = this->FindEstimate();
+  return estimate ? KnownOrZero(estimate->MegabytesOfRank + estimate->MegabytesOfAll / ranks.Size())
+                  : 0.0;
 }
 
 const char* vtkRUCPackAlgorithm::GetAutomaticValues()
 {
-  try
-  {
-    this->AutomaticValues = this->MakeEstimate().Automatic;
-  }
-  catch (const std::exception&)
-  {
-    this->AutomaticValues.clear();
-  }
+  const std::optional<ruc::Estimate> estimate = this->FindEstimate();
+  this->AutomaticValues = estimate ? estimate->Automatic : std::string();
   return this->AutomaticValues.c_str();
 }
 

@@ -17,6 +17,7 @@
 
 #include "vtkRUCParallelAlgorithm.h"
 
+#include <optional>
 #include <string>
 
 class vtkPointSet;
@@ -102,17 +103,19 @@ protected:
 
   PackData::WindowProperties GetWindowProperties() const;
 
-  /** What the estimates are made of, from figures of the pack; throws std::exception where they are
-   * not known. */
-  virtual ruc::Estimate MakeEstimate();
-  /** The pack as this rank alone knows it; throws std::invalid_argument where it does not. */
-  ruc::PackFigures FindFigures();
+  /** What the estimates are made of, from figures of the pack; none where they are not known. May
+   * throw std::invalid_argument for what a run would refuse, which then has no estimates either. */
+  virtual std::optional<ruc::Estimate> MakeEstimate();
+  /** The pack as this rank alone knows it, none where it does not. */
+  std::optional<ruc::PackFigures> FindFigures();
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
 private:
   vtkRUCPackAlgorithm(const vtkRUCPackAlgorithm&) = delete;
   void operator=(const vtkRUCPackAlgorithm&) = delete;
+
+  std::optional<ruc::Estimate> FindEstimate();
 
   double BoxOrigin[3] = { 0.0, 0.0, 0.0 };
   double BoxSize[3] = { 0.0, 0.0, 0.0 };

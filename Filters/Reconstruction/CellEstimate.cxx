@@ -89,15 +89,20 @@ ruc::Estimate CellEstimate::OfPack(const ruc::PackFigures& pack, const CellPrope
   return estimate;
 }
 
-ruc::Estimate CellEstimate::OfTable(vtkTable* table, const CellProperties& properties,
-  const CellSearch::Settings& search, double longestSearch)
+std::optional<ruc::Estimate> CellEstimate::OfTable(vtkTable* table,
+  const CellProperties& properties, const CellSearch::Settings& search, double longestSearch)
 {
   ruc::LagGrid lags = { 0.0, 0 };
-  ruc::CellFigures cell = PackEstimate::FindCellFigures(table, properties.ModeDiameters, lags);
-  cell.Spheres = FindSpheres(properties, cell.Density,
+  std::optional<ruc::CellFigures> cell =
+    PackEstimate::FindCellFigures(table, properties.ModeDiameters, lags);
+  if (!cell)
+  {
+    return {};
+  }
+  cell->Spheres = FindSpheres(properties, cell->Density,
     properties.CellSize > 0.0 ? properties.CellSize : 2.0 * lags.Maximum());
   ruc::Estimate estimate;
-  estimate.Automatic = DescribeSize(properties, cell);
-  estimate += OfSearch(cell, lags, search, longestSearch);
+  estimate.Automatic = DescribeSize(properties, *cell);
+  estimate += OfSearch(*cell, lags, search, longestSearch);
   return estimate;
 }

@@ -6,17 +6,20 @@
 #include "CellSearch.h"
 #include "ruc/Particles/PackFigures.h"
 
+#include <optional>
+
 class vtkTable;
 
 /**
  * What a reconstruction takes at most, to its last iteration or generation, and what its automatic
  * properties stand for. `longestSearch` is a limit of the search alone, in seconds of one core.
- * Throws std::invalid_argument where the input or the properties do not tell.
+ * None where the table does not tell; throws std::invalid_argument for properties that a run would
+ * refuse.
  */
 namespace CellEstimate
 {
 ruc::Estimate OfPack(const ruc::PackFigures& pack, const CellProperties& properties,
   const CellSearch::Settings& search, double longestSearch);
-ruc::Estimate OfTable(vtkTable* table, const CellProperties& properties,
+std::optional<ruc::Estimate> OfTable(vtkTable* table, const CellProperties& properties,
   const CellSearch::Settings& search, double longestSearch);
 }

@@ -153,15 +153,20 @@ double vtkRUCUnitCellReconstruction::FindEdge(
   return 2.0 * length;
 }
 
-ruc::Estimate vtkRUCUnitCellReconstruction::MakeEstimate()
+std::optional<ruc::Estimate> vtkRUCUnitCellReconstruction::MakeEstimate()
 {
   this->CheckProperties();
   const RankCommunicator ranks(this->GetController());
   const double longest = this->TimeLimit > 0.0 ? this->TimeLimit * PackEstimate::Cores(ranks.Size())
                                                : std::numeric_limits<double>::infinity();
   vtkTable* table = vtkTable::SafeDownCast(this->GetInputDataObject(0, 0));
-  return table ? CellEstimate::OfTable(table, this->Cell, this->Search, longest)
-               : CellEstimate::OfPack(this->FindFigures(), this->Cell, this->Search, longest);
+  if (table)
+  {
+    return CellEstimate::OfTable(table, this->Cell, this->Search, longest);
+  }
+  const std::optional<ruc::PackFigures> pack = this->FindFigures();
+  return pack ? std::optional(CellEstimate::OfPack(*pack, this->Cell, this->Search, longest))
+              : std::nullopt;
 }
 
 ruc::EndReason vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport& report)

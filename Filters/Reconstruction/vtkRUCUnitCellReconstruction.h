@@ -194,7 +194,7 @@ protected:
     vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
   /** At most: to the last iteration or generation, or the time limit. */
-  ruc::Estimate MakeEstimate() override;
+  std::optional<ruc::Estimate> MakeEstimate() override;
 
 private:
   vtkRUCUnitCellReconstruction(const vtkRUCUnitCellReconstruction&) = delete;

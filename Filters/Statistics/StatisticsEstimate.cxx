@@ -5,8 +5,6 @@
 #include "ruc/Base/Text.h"
 #include "ruc/Statistics/Results/LagLimit.h"
 
-#include <stdexcept>
-
 ruc::LagGrid StatisticsEstimate::FindLags(
   double maximum, int count, const ruc::PackFigures& pack, bool exact)
 {
@@ -27,11 +25,11 @@ ruc::Estimate StatisticsEstimate::OfPack(
   return estimate;
 }
 
-double StatisticsEstimate::NumberOfSamples(const ruc::SamplingSettings& settings)
+std::optional<double> StatisticsEstimate::NumberOfSamples(const ruc::SamplingSettings& settings)
 {
   if (settings.TargetError > 0.0 || settings.Samples < 1)
   {
-    throw std::invalid_argument("How many samples an error takes is only known from samples.");
+    return {};
   }
   return static_cast<double>(settings.Samples);
 }

@@ -5,6 +5,8 @@
 #include "ruc/Particles/PackFigures.h"
 #include "ruc/Statistics/Sampling/SampledSums.h"
 
+#include <optional>
+
 /** What the estimates of the filters that measure functions of one lag have in common. */
 namespace StatisticsEstimate
 {
@@ -15,7 +17,7 @@ ruc::LagGrid FindLags(double maximum, int count, const ruc::PackFigures& pack, b
  * for. */
 ruc::Estimate OfPack(const ruc::PackFigures& pack, double maximum, const ruc::LagGrid& lags);
 
-/** How many samples the settings ask for; throws std::invalid_argument where that is not known
- * before they are taken, because a TargetError is asked for. */
-double NumberOfSamples(const ruc::SamplingSettings& settings);
+/** How many samples the settings ask for; none where only samples tell, because a TargetError is
+ * asked for. */
+std::optional<double> NumberOfSamples(const ruc::SamplingSettings& settings);
 }

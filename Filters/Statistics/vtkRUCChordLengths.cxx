@@ -56,14 +56,18 @@ void vtkRUCChordLengths::Execute(
   OutputSummary::WarnOfStop(this, this->GetLabel(), sampled.Stopped, ranks);
 }
 
-ruc::Estimate vtkRUCChordLengths::MakeEstimate()
+std::optional<ruc::Estimate> vtkRUCChordLengths::MakeEstimate()
 {
-  const ruc::PackFigures pack = this->FindFigures();
+  const std::optional<ruc::PackFigures> pack = this->FindFigures();
+  const std::optional<double> lines = StatisticsEstimate::NumberOfSamples(this->GetSettings(false));
+  if (!pack || !lines)
+  {
+    return {};
+  }
   const ruc::LagGrid lags =
-    StatisticsEstimate::FindLags(this->MaximumLag, this->NumberOfLags, pack, false);
-  ruc::Estimate estimate = StatisticsEstimate::OfPack(pack, this->MaximumLag, lags);
-  estimate +=
-    ruc::EstimateChords(pack, lags, StatisticsEstimate::NumberOfSamples(this->GetSettings(false)));
+    StatisticsEstimate::FindLags(this->MaximumLag, this->NumberOfLags, *pack, false);
+  ruc::Estimate estimate = StatisticsEstimate::OfPack(*pack, this->MaximumLag, lags);
+  estimate += ruc::EstimateChords(*pack, lags, *lines);
   return estimate;
 }
 

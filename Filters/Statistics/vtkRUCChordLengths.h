@@ -48,7 +48,7 @@ protected:
   const char* GetLabel() const override { return "Chord Lengths"; }
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
-  ruc::Estimate MakeEstimate() override;
+  std::optional<ruc::Estimate> MakeEstimate() override;
 
 private:
   vtkRUCChordLengths(const vtkRUCChordLengths&) = delete;

@@ -126,22 +126,30 @@ ruc::DirectionalProbability vtkRUCDirectionalProbability::Measure(const ruc::Pac
   return directional;
 }
 
-ruc::Estimate vtkRUCDirectionalProbability::MakeEstimate()
+std::optional<ruc::Estimate> vtkRUCDirectionalProbability::MakeEstimate()
 {
   this->ValidateProperties();
-  const ruc::PackFigures pack = this->FindFigures();
+  const std::optional<ruc::PackFigures> pack = this->FindFigures();
+  if (!pack)
+  {
+    return {};
+  }
   const bool exact = this->Method == EXACT_PAIR_SUM;
   const ruc::LagGrid lags =
-    StatisticsEstimate::FindLags(this->MaximumLag, this->NumberOfLags, pack, exact);
+    StatisticsEstimate::FindLags(this->MaximumLag, this->NumberOfLags, *pack, exact);
   const int directions = static_cast<int>(ruc::EvenDirections(this->NumberOfDirections).size());
-  ruc::Estimate estimate = StatisticsEstimate::OfPack(pack, this->MaximumLag, lags);
+  ruc::Estimate estimate = StatisticsEstimate::OfPack(*pack, this->MaximumLag, lags);
   if (exact)
   {
-    estimate += ruc::EstimatePairSumAlong(pack, lags, directions);
+    estimate += ruc::EstimatePairSumAlong(*pack, lags, directions);
     return estimate;
   }
-  ruc::Estimate chords =
-    ruc::EstimateChords(pack, lags, StatisticsEstimate::NumberOfSamples(this->GetSettings(false)));
+  const std::optional<double> lines = StatisticsEstimate::NumberOfSamples(this->GetSettings(false));
+  if (!lines)
+  {
+    return {};
+  }
+  ruc::Estimate chords = ruc::EstimateChords(*pack, lags, *lines);
   chords.Seconds *= directions;
   estimate += chords;
   return estimate;

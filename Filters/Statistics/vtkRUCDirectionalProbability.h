@@ -85,7 +85,7 @@ protected:
   const char* GetLabel() const override { return "Directional Probability"; }
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
-  ruc::Estimate MakeEstimate() override;
+  std::optional<ruc::Estimate> MakeEstimate() override;
 
 private:
   vtkRUCDirectionalProbability(const vtkRUCDirectionalProbability&) = delete;

@@ -131,15 +131,19 @@ void vtkRUCProbabilityMap::FillImage(const ruc::ProbabilityMap& map, int modes,
   outputs->GetInformationObject(0)->Set(vtkDataObject::SPACING(), spacing, spacing, spacing);
 }
 
-ruc::Estimate vtkRUCProbabilityMap::MakeEstimate()
+std::optional<ruc::Estimate> vtkRUCProbabilityMap::MakeEstimate()
 {
   this->ValidateProperties();
-  const ruc::PackFigures pack = this->FindFigures();
+  const std::optional<ruc::PackFigures> pack = this->FindFigures();
+  if (!pack)
+  {
+    return {};
+  }
   const double maximum = this->Spacing > 0.0 ? this->Resolution * this->Spacing : this->MaximumLag;
-  const ruc::LagGrid lags = StatisticsEstimate::FindLags(maximum, 1, pack, true);
-  const std::size_t pairs = ParsePairs(this->PhasePairs, pack.Modes).size();
-  ruc::Estimate estimate = StatisticsEstimate::OfPack(pack, maximum, lags);
-  estimate += ruc::EstimateMap(pack, lags.Maximum(), static_cast<int>(pairs), this->Resolution);
+  const ruc::LagGrid lags = StatisticsEstimate::FindLags(maximum, 1, *pack, true);
+  const std::size_t pairs = ParsePairs(this->PhasePairs, pack->Modes).size();
+  ruc::Estimate estimate = StatisticsEstimate::OfPack(*pack, maximum, lags);
+  estimate += ruc::EstimateMap(*pack, lags.Maximum(), static_cast<int>(pairs), this->Resolution);
   return estimate;
 }
 

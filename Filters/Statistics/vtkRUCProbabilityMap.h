@@ -67,7 +67,7 @@ protected:
   int RequestInformation(
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
-  ruc::Estimate MakeEstimate() override;
+  std::optional<ruc::Estimate> MakeEstimate() override;
 
 private:
   vtkRUCProbabilityMap(const vtkRUCProbabilityMap&) = delete;

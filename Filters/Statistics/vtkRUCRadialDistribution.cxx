@@ -46,13 +46,17 @@ void vtkRUCRadialDistribution::Execute(
     ruc::OnePointProbability(pack.Share), ruc::MeasureOverlap(pack.Share, ranks).Percent);
 }
 
-ruc::Estimate vtkRUCRadialDistribution::MakeEstimate()
+std::optional<ruc::Estimate> vtkRUCRadialDistribution::MakeEstimate()
 {
-  const ruc::PackFigures pack = this->FindFigures();
+  const std::optional<ruc::PackFigures> pack = this->FindFigures();
+  if (!pack)
+  {
+    return {};
+  }
   const ruc::LagGrid lags =
-    StatisticsEstimate::FindLags(this->MaximumLag, this->NumberOfLags, pack, true);
-  ruc::Estimate estimate = StatisticsEstimate::OfPack(pack, this->MaximumLag, lags);
-  estimate += ruc::EstimateRadialDistribution(pack, lags);
+    StatisticsEstimate::FindLags(this->MaximumLag, this->NumberOfLags, *pack, true);
+  ruc::Estimate estimate = StatisticsEstimate::OfPack(*pack, this->MaximumLag, lags);
+  estimate += ruc::EstimateRadialDistribution(*pack, lags);
   return estimate;
 }
 

@@ -46,7 +46,7 @@ protected:
   const char* GetLabel() const override { return "Radial Distribution"; }
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
-  ruc::Estimate MakeEstimate() override;
+  std::optional<ruc::Estimate> MakeEstimate() override;
 
 private:
   vtkRUCRadialDistribution(const vtkRUCRadialDistribution&) = delete;

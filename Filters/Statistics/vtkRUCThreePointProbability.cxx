@@ -81,13 +81,13 @@ double vtkRUCThreePointProbability::GetEstimatedMemory()
   vtkDataArray* modes = input ? input->GetPointData()->GetArray("Mode") : nullptr;
   // Without data every mode may be there, unless all are asked for
   const bool known = modes && modes->GetNumberOfTuples() > 0;
+  if (!known && this->Phases.find("all") != std::string::npos)
+  {
+    return 0.0;
+  }
   const int number = known ? static_cast<int>(modes->GetRange(0)[1]) : 999999;
   try
   {
-    if (!known && this->Phases.find("all") != std::string::npos)
-    {
-      throw std::invalid_argument("");
-    }
     return this->EstimateMemory(ruc::ParseTriples(this->Phases, number).size(), true, ranks.Size());
   }
   catch (const std::invalid_argument&)
@@ -96,24 +96,25 @@ double vtkRUCThreePointProbability::GetEstimatedMemory()
   }
 }
 
-ruc::Estimate vtkRUCThreePointProbability::MakeEstimate()
+std::optional<ruc::Estimate> vtkRUCThreePointProbability::MakeEstimate()
 {
-  const ruc::PackFigures pack = this->FindFigures();
+  const std::optional<ruc::PackFigures> pack = this->FindFigures();
+  if (!pack || this->NumberOfThrows < 1 || this->NumberOfDirections < 2 ||
+    this->NumberOfDirections > ruc::MostFanDirections)
+  {
+    return {};
+  }
   const ruc::LagLimit limit =
-    ruc::LagLimit::ForFans(pack.Observed, pack.Observed.Shrunk(pack.LargestRadius));
+    ruc::LagLimit::ForFans(pack->Observed, pack->Observed.Shrunk(pack->LargestRadius));
   const ruc::ThreePointGrid grid = { limit.MakeGrid(this->MaximumLag, this->NumberOfLags),
     this->NumberOfDirections };
-  if (this->NumberOfThrows < 1 || grid.Directions < 2 || grid.Directions > ruc::MostFanDirections)
-  {
-    throw std::invalid_argument("There is no such work.");
-  }
-  ruc::Estimate estimate = ruc::EstimatePack(pack);
+  ruc::Estimate estimate = ruc::EstimatePack(*pack);
   if (this->MaximumLag == 0.0)
   {
     estimate.Automatic = ruc::Text("Maximum Lag ", grid.Lags.Maximum());
   }
-  estimate += ruc::EstimatePairSum(pack, grid.Lags);
-  estimate += ruc::EstimateFans(pack, grid, ruc::ParseTriples(this->Phases, pack.Modes).size(),
+  estimate += ruc::EstimatePairSum(*pack, grid.Lags);
+  estimate += ruc::EstimateFans(*pack, grid, ruc::ParseTriples(this->Phases, pack->Modes).size(),
     this->StandardErrors, this->NumberOfThrows);
   return estimate;
 }

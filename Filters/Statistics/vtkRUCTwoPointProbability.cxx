@@ -156,26 +156,31 @@ void vtkRUCTwoPointProbability::AddConsistency(
   PackData::AddField(table, "SpecificSurfaceFromSlope", std::vector<double>{ -4.0 * slope });
 }
 
-ruc::Estimate vtkRUCTwoPointProbability::MakeEstimate()
+std::optional<ruc::Estimate> vtkRUCTwoPointProbability::MakeEstimate()
 {
   this->ValidateProperties();
-  const ruc::PackFigures pack = this->FindFigures();
-  const ruc::LagGrid lags = StatisticsEstimate::FindLags(
-    this->MaximumLag, this->NumberOfLags, pack, this->Method == EXACT_PAIR_SUM);
-  ruc::Estimate estimate = StatisticsEstimate::OfPack(pack, this->MaximumLag, lags);
-  switch (this->Method)
+  const std::optional<ruc::PackFigures> pack = this->FindFigures();
+  if (!pack)
   {
-    case CHORD_SAMPLING:
-      estimate += ruc::EstimateChords(
-        pack, lags, StatisticsEstimate::NumberOfSamples(this->GetSettings(false)));
-      break;
-    case TEMPLATE_SAMPLING:
-      estimate += ruc::EstimateTemplate(
-        pack, lags, StatisticsEstimate::NumberOfSamples(this->GetSettings(true)));
-      break;
-    default:
-      estimate += ruc::EstimatePairSum(pack, lags);
+    return {};
   }
+  const ruc::LagGrid lags = StatisticsEstimate::FindLags(
+    this->MaximumLag, this->NumberOfLags, *pack, this->Method == EXACT_PAIR_SUM);
+  ruc::Estimate estimate = StatisticsEstimate::OfPack(*pack, this->MaximumLag, lags);
+  if (this->Method == EXACT_PAIR_SUM)
+  {
+    estimate += ruc::EstimatePairSum(*pack, lags);
+    return estimate;
+  }
+  const bool throws = this->Method == TEMPLATE_SAMPLING;
+  const std::optional<double> samples =
+    StatisticsEstimate::NumberOfSamples(this->GetSettings(throws));
+  if (!samples)
+  {
+    return {};
+  }
+  estimate += throws ? ruc::EstimateTemplate(*pack, lags, *samples)
+                     : ruc::EstimateChords(*pack, lags, *samples);
   return estimate;
 }
 

@@ -101,7 +101,7 @@ protected:
   const char* GetLabel() const override { return "Two-Point Probability"; }
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
-  ruc::Estimate MakeEstimate() override;
+  std::optional<ruc::Estimate> MakeEstimate() override;
 
 private:
   vtkRUCTwoPointProbability(const vtkRUCTwoPointProbability&) = delete;
