@@ -87,26 +87,31 @@ TEST(ChordSampling, BooleanModel)
                        std::uint32_t seed) { return Chords(pack, 1, region, lags, 640, seed); });
 }
 
-TEST(ChordSampling, RegionsOfAllKindsGiveTheSameInTheMean)
+namespace
 {
-  const OneThread alone;
-  // A sampled region is that of a periodic pack, so every estimate has the same mean, but for the
-  // place of the region: averaged out by putting it anywhere. Spheres that reach in from outside
-  // are images, which a periodic window knows of and others must be given.
-  const Window cube = oracle::PeriodicCube(6.0);
-  const SpherePack pack = oracle::RelaxedPack({ 10, 20 }, { 0.9, 0.6 }, cube, 5);
-  const SpherePack tiled = oracle::WithImages(pack, 6.0);
-  const LagGrid lags = { 0.5, 4 };
-  const TwoPointProbability exact = ruc::SumPairs(pack, cube, lags);
-  const auto check = [&](auto&& regionAt, auto&& packAt)
+// A sampled region is that of a periodic pack, so every estimate has the same mean, but for the
+// place of the region: averaged out by putting it anywhere. Spheres that reach in from outside are
+// images, which a periodic window knows of and others must be given.
+class RegionOfAPeriodicPack : public testing::Test
+{
+protected:
+  const Window Cube = oracle::PeriodicCube(6.0);
+  const SpherePack Pack = oracle::RelaxedPack({ 10, 20 }, { 0.9, 0.6 }, Cube, 5);
+  const SpherePack Tiled = oracle::WithImages(Pack, 6.0);
+  const LagGrid Lags = { 0.5, 4 };
+
+  template <class RegionAt, class PackAt>
+  void ExpectSameMean(RegionAt&& regionAt, PackAt&& packAt) const
   {
     constexpr int places = 40;
-    std::vector<MeanFunction> means(exact.Pairs(), MeanFunction(lags.Count + 1));
+    const OneThread alone;
+    const TwoPointProbability exact = ruc::SumPairs(this->Pack, this->Cube, this->Lags);
+    std::vector<MeanFunction> means(exact.Pairs(), MeanFunction(this->Lags.Count + 1));
     oracle::Uniform random(3);
     for (int n = 0; n < places; ++n)
     {
       const ruc::Vector3 at = { random(0, 6), random(0, 6), random(0, 6) };
-      const SampledTwoPoint sampled = Chords(packAt(at), 2, regionAt(at), lags, 320, n + 1);
+      const SampledTwoPoint sampled = Chords(packAt(at), 2, regionAt(at), this->Lags, 320, n + 1);
       for (int p = 0; p < exact.Pairs(); ++p)
       {
         means[p].Add(sampled.Mean.Values[p]);
@@ -114,59 +119,81 @@ TEST(ChordSampling, RegionsOfAllKindsGiveTheSameInTheMean)
     }
     for (int p = 0; p < exact.Pairs(); ++p)
     {
-      for (int k = 0; k <= lags.Count; ++k)
+      for (int k = 0; k <= this->Lags.Count; ++k)
       {
         // The estimates are ratios, of a bias of the order of their variance; 1e-3 allows for it
         EXPECT_NEAR(means[p].Value(k), exact.Values[p][k], 4.5 * means[p].Error(k) + 1e-3)
           << p << " " << k;
       }
     }
-  };
-  const auto allAround = [&](const ruc::Vector3&) -> const SpherePack& { return tiled; };
-  check(
+  }
+
+  // With the images on all sides
+  template <class RegionAt>
+  void ExpectSameMean(RegionAt&& regionAt) const
+  {
+    this->ExpectSameMean(
+      regionAt, [&](const ruc::Vector3&) -> const SpherePack& { return this->Tiled; });
+  }
+};
+}
+
+TEST_F(RegionOfAPeriodicPack, Box)
+{
+  this->ExpectSameMean(
     [](const ruc::Vector3& at)
     {
       return SamplingRegion(
         Window::MakeBox({ at[0] - 3, at[1] - 3, at[2] - 3 }, { 5, 6, 7 }, { false, false, false }),
         1.0);
-    },
-    allAround);
-  check(
+    });
+}
+
+TEST_F(RegionOfAPeriodicPack, Cylinder)
+{
+  this->ExpectSameMean(
     [](const ruc::Vector3& at)
     {
       return SamplingRegion(
         Window::MakeCylinder({ at[0] - 2, at[1] - 1, at[2] - 2 }, { 1, -0.5, 1 }, 2.5, 5.0), 1.0);
-    },
-    allAround);
-  check(
-    [](const ruc::Vector3& at)
+    });
+}
+
+TEST_F(RegionOfAPeriodicPack, PlateWithAHoleAndANotch)
+{
+  std::vector<std::uint8_t> inside(10 * 10 * 6, 1);
+  for (int n = 0; n < 600; ++n)
+  {
+    const int x = n % 10, y = n / 10 % 10;
+    inside[n] = !(x > 3 && x < 6 && y > 3 && y < 6) && !(x > 7 && y < 3);
+  }
+  this->ExpectSameMean(
+    [&](const ruc::Vector3& at)
     {
-      // A plate with a hole and a notch
-      std::vector<std::uint8_t> inside(10 * 10 * 6, 1);
-      for (int n = 0; n < 600; ++n)
-      {
-        const int x = n % 10, y = n / 10 % 10;
-        inside[n] = !(x > 3 && x < 6 && y > 3 && y < 6) && !(x > 7 && y < 3);
-      }
       return SamplingRegion(ruc::VoxelMask({ 10, 10, 6 }, { at[0] - 3, at[1] - 3, at[2] - 2 },
                               { 0.6, 0.6, 0.6 }, inside),
         0.0);
+    });
+}
+
+TEST_F(RegionOfAPeriodicPack, PartlyPeriodicBox)
+{
+  // Spheres once along x and y, and as tiled along z
+  this->ExpectSameMean(
+    [](const ruc::Vector3& at)
+    {
+      return SamplingRegion(
+        Window::MakeBox({ at[0], at[1], at[2] - 3 }, { 6, 6, 6 }, { true, true, false }), 0.0);
     },
-    allAround);
-  // Partly periodic: spheres once along x and y, and as tiled along z
-  const auto partly = [](const ruc::Vector3& at) {
-    return Window::MakeBox({ at[0], at[1], at[2] - 3 }, { 6, 6, 6 }, { true, true, false });
-  };
-  check([&](const ruc::Vector3& at) { return SamplingRegion(partly(at), 0.0); },
     [&](const ruc::Vector3& at)
     {
       SpherePack column;
-      for (std::size_t i = 0; i < tiled.Size(); ++i)
+      for (std::size_t i = 0; i < this->Tiled.Size(); ++i)
       {
-        if (tiled.X[i] >= at[0] && tiled.X[i] < at[0] + 6 && tiled.Y[i] >= at[1] &&
-          tiled.Y[i] < at[1] + 6)
+        if (this->Tiled.X[i] >= at[0] && this->Tiled.X[i] < at[0] + 6 &&
+          this->Tiled.Y[i] >= at[1] && this->Tiled.Y[i] < at[1] + 6)
         {
-          column.Append(tiled, i);
+          column.Append(this->Tiled, i);
         }
       }
       return column;
