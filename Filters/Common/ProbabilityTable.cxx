@@ -87,9 +87,12 @@ ruc::TwoPointProbability ReadLocal(vtkTable* table, const std::string& what)
   }
   const int count = static_cast<int>(r.size()) - 1;
   const double spacing = r.back() / count;
+  // Five digits, which ParaView writes, are within 5e-5 of the lag, and so is the last one, of
+  // which the step is made. Half a step, so that no lag stands for its neighbour.
+  const double tolerance = std::min(2.0 * ProbabilityTable::Rounding * r.back(), 0.5 * spacing);
   for (int k = 0; k <= count; ++k)
   {
-    if (!(spacing > 0.0 && std::abs(r[k] - k * spacing) <= 1e-6 * spacing * std::max(k, 1)))
+    if (!(spacing > 0.0 && std::abs(r[k] - k * spacing) <= tolerance))
     {
       throw std::invalid_argument(ruc::Text(what, " requires lags 0, dr, 2 dr, … in column r, got ",
         r[k], " in row ", k, ", where ", k * spacing, " is due."));

@@ -45,8 +45,9 @@ void RequireSameGrid(const ruc::TwoPointProbability& a, const ruc::TwoPointProba
     throw std::invalid_argument(
       ruc::Text("Cell requires the modes of the input, ", a.Modes, ", got ", b.Modes, "."));
   }
+  // Both may be rounded
   if (a.Lags.Count != b.Lags.Count ||
-    std::abs(a.Lags.Spacing - b.Lags.Spacing) > 1e-6 * a.Lags.Spacing)
+    std::abs(a.Lags.Spacing - b.Lags.Spacing) > 2.0 * ProbabilityTable::Rounding * a.Lags.Spacing)
   {
     throw std::invalid_argument(ruc::Text("Cell requires the lags of the input, ", a.Lags.Count,
       " steps to ", a.Lags.Maximum(), ", got ", b.Lags.Count, " to ", b.Lags.Maximum(), "."));
@@ -64,7 +65,7 @@ void RequireSameGrid(vtkImageData* pack, vtkImageData* cell, RankCommunicator& r
   for (int q = 0; q < 3 && error.empty(); ++q)
   {
     const double a = pack->GetSpacing()[q], b = cell->GetSpacing()[q];
-    if (!(std::abs(a - b) <= 1e-6 * std::abs(a)))
+    if (!(std::abs(a - b) <= 2.0 * ProbabilityTable::Rounding * std::abs(a)))
     {
       error = ruc::Text("Cell requires an image with the spacing of the input, ", a, ", got ", b,
         "; set the same MaximumLag for both.");

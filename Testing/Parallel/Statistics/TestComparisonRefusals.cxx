@@ -8,7 +8,10 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <iomanip>
 #include <limits>
+#include <sstream>
+#include <string>
 
 namespace
 {
@@ -162,6 +165,41 @@ TEST(TableRefusals, UnevenLags)
 {
   RefusesTable({ "lags 0, dr, 2 dr", "in row 4, where 2 is due" },
     [](vtkTable* t) { t->SetValueByName(4, "r", vtkVariant(2.1)); });
+}
+
+// Of `digits` digits, as a program writes them, which neither lags nor steps of a table have
+// exactly
+TEST(TableRefusals, RoundedLags)
+{
+  for (const int lags : { 10, 277, 2000 })
+  {
+    const auto exact = MakeTable(2, lags, 200.0 / lags / 1.0007);
+    for (const int digits : { 4, 5, 6, 17 })
+    {
+      const auto rounded = vtkSmartPointer<vtkTable>::New();
+      rounded->DeepCopy(exact);
+      for (vtkIdType k = 0; k < rounded->GetNumberOfRows(); ++k)
+      {
+        std::ostringstream text;
+        text << std::setprecision(digits) << rounded->GetValueByName(k, "r").ToDouble();
+        rounded->SetValueByName(k, "r", vtkVariant(std::stod(text.str())));
+      }
+      vtkNew<vtkRUCCompareProbabilities> filter;
+      const Errors errors(filter);
+      filter->SetInputDataObject(0, rounded);
+      filter->AddInputDataObject(1, exact);
+      filter->Update();
+      if (digits == 4)
+      {
+        ExpectRefusal(filter, errors, { "lags 0, dr, 2 dr" });
+      }
+      else if (Rank() == 0)
+      {
+        EXPECT_TRUE(errors.Texts.empty()) << lags << " lags, " << digits << " digits";
+        EXPECT_FALSE(IsEmpty(filter));
+      }
+    }
+  }
 }
 
 TEST(TableRefusals, Text)
