@@ -110,8 +110,7 @@ ruc::VoxelMask MaskData::GatherMask(
     error = e.what();
   }
   ranks.ThrowIfAny(error);
-  const std::vector<std::vector<double>> parts =
-    ranks.Exchange(std::vector<std::vector<double>>(ranks.Size(), own));
+  const std::vector<std::vector<double>> parts = ranks.AllGather(own);
   std::vector<Slab> slabs;
   std::vector<const std::uint8_t*> voxels;
   for (const std::vector<double>& part : parts)

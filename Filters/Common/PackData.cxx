@@ -371,8 +371,7 @@ ObservedPack GatherPack(
   ObservedPack observed;
   static_cast<PackOrigin&>(observed) = found;
   ruc::SpherePack& pack = observed.Pack;
-  for (const std::vector<double>& of :
-    ranks.Exchange(std::vector<std::vector<double>>(ranks.Size(), numbers)))
+  for (const std::vector<double>& of : ranks.AllGather(numbers))
   {
     for (std::size_t n = 0; n < of.size(); n += numbersPerSphere)
     {

@@ -138,26 +138,6 @@ ruc::TwoPointProbability ProbabilityTable::Read(
     }
   }
   ranks.ThrowIfAny(error);
-  double shape[3] = { 0.0, 0.0, 0.0 };
-  if (holds)
-  {
-    shape[0] = probability.Modes;
-    shape[1] = probability.Lags.Count;
-    shape[2] = probability.Lags.Spacing;
-  }
-  ranks.Share(shape, 3);
-  if (!holds)
-  {
-    probability = ruc::TwoPointProbability(
-      static_cast<int>(shape[0]), { shape[2], static_cast<int>(shape[1]) });
-  }
-  for (std::vector<double>& values : probability.Values)
-  {
-    ranks.Share(values.data(), values.size());
-  }
-  for (int phase = 0; phase < probability.Phases(); ++phase)
-  {
-    probability.Fractions[phase] = probability.S(phase, phase)[0];
-  }
+  ranks.Broadcast(probability, ranks.LowestRank(holds));
   return probability;
 }

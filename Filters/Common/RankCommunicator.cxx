@@ -2,18 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RankCommunicator.h"
 
+#include "ruc/Base/Text.h"
+
 #include "vtkCommunicator.h"
 #include "vtkMPIController.h"
 #include "vtkMultiProcessController.h"
 
+#include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
 namespace
 {
-constexpr int ExchangeTag = 61301, SignalTag = 61302, HereTag = 61303;
+// What a call of MPI, which counts in int, is asked to carry at a time
+constexpr vtkIdType MostBytes = vtkIdType(1) << 30;
+constexpr int AllToAllTag = 61301, SignalTag = 61302, HereTag = 61303;
 }
 
 int RankCommunicator::Rank() const
@@ -39,16 +45,6 @@ void RankCommunicator::Sum(std::int64_t* values, std::size_t count)
   }
 }
 
-void RankCommunicator::Share(double* values, std::size_t count)
-{
-  if (this->Size() > 1)
-  {
-    const std::vector<double> own(values, values + count);
-    this->Controller->AllReduce(
-      own.data(), values, static_cast<vtkIdType>(count), vtkCommunicator::SUM_OP);
-  }
-}
-
 void RankCommunicator::Minimum(std::int32_t* values, std::size_t count)
 {
   if (this->Size() > 1)
@@ -70,30 +66,71 @@ void RankCommunicator::Minimum(double* values, std::size_t count)
   }
 }
 
-std::vector<std::vector<double>> RankCommunicator::Exchange(
-  std::vector<std::vector<double>> outgoing)
+void RankCommunicator::BroadcastBytes(std::string& bytes, int root)
+{
+  auto size = static_cast<vtkIdType>(bytes.size());
+  this->Controller->Broadcast(&size, 1, root);
+  bytes.resize(size);
+  for (vtkIdType done = 0; done < size; done += MostBytes)
+  {
+    this->Controller->Broadcast(bytes.data() + done, std::min(size - done, MostBytes), root);
+  }
+}
+
+std::vector<std::string> RankCommunicator::AllGatherBytes(
+  std::string own, const std::vector<std::size_t>& known)
+{
+  const int ranks = this->Size();
+  const auto size = static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> sizes(known.begin(), known.end());
+  if (known.empty())
+  {
+    sizes.resize(ranks);
+    this->Controller->AllGather(&size, sizes.data(), 1);
+  }
+  const vtkIdType longest = *std::max_element(sizes.begin(), sizes.end());
+  const vtkIdType step = MostBytes / ranks;
+  std::vector<std::string> all(ranks);
+  for (vtkIdType done = 0; done < longest; done += step)
+  {
+    const auto part = [&](vtkIdType of) { return std::clamp<vtkIdType>(of - done, 0, step); };
+    std::vector<vtkIdType> lengths(ranks), offsets(ranks, 0);
+    std::transform(sizes.begin(), sizes.end(), lengths.begin(), part);
+    std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
+    std::string bytes(offsets.back() + lengths.back(), '\0');
+    this->Controller->AllGatherV(
+      own.data() + std::min(done, size), bytes.data(), part(size), lengths.data(), offsets.data());
+    for (int rank = 0; rank < ranks; ++rank)
+    {
+      all[rank].append(bytes, offsets[rank], lengths[rank]);
+    }
+  }
+  return all;
+}
+
+std::vector<std::string> RankCommunicator::AllToAllBytes(std::vector<std::string> outgoing)
 {
   const int ranks = this->Size();
   const int rank = this->Rank();
-  std::vector<std::vector<double>> incoming(ranks);
+  std::vector<std::string> incoming(ranks);
   const auto send = [&](int to)
   {
-    const vtkIdType count = static_cast<vtkIdType>(outgoing[to].size());
-    this->Controller->Send(&count, 1, to, ExchangeTag);
-    if (count > 0)
+    const auto size = static_cast<vtkIdType>(outgoing[to].size());
+    this->Controller->Send(&size, 1, to, AllToAllTag);
+    if (size > 0)
     {
-      this->Controller->Send(outgoing[to].data(), count, to, ExchangeTag);
+      this->Controller->Send(outgoing[to].data(), size, to, AllToAllTag);
     }
-    std::vector<double>().swap(outgoing[to]);
+    std::string().swap(outgoing[to]);
   };
   const auto receive = [&](int from)
   {
-    vtkIdType count = 0;
-    this->Controller->Receive(&count, 1, from, ExchangeTag);
-    incoming[from].resize(count);
-    if (count > 0)
+    vtkIdType size = 0;
+    this->Controller->Receive(&size, 1, from, AllToAllTag);
+    incoming[from].resize(size);
+    if (size > 0)
     {
-      this->Controller->Receive(incoming[from].data(), count, from, ExchangeTag);
+      this->Controller->Receive(incoming[from].data(), size, from, AllToAllTag);
     }
   };
   // In every step the ranks make pairs; the lower one of a pair talks first, so none waits in a
@@ -119,6 +156,15 @@ std::vector<std::vector<double>> RankCommunicator::Exchange(
   return incoming;
 }
 
+void RankCommunicator::RequireMpi() const
+{
+  if (this->Size() > 1 && !vtkMPIController::SafeDownCast(this->Controller))
+  {
+    throw std::invalid_argument(ruc::Text("Several ranks require MPI, got ", this->Size(),
+      " ranks of a ", this->Controller->GetClassName(), "."));
+  }
+}
+
 std::unique_ptr<RankCommunicator> RankCommunicator::Split(int group) const
 {
   auto part = std::make_unique<RankCommunicator>(this->Controller);
@@ -129,36 +175,6 @@ std::unique_ptr<RankCommunicator> RankCommunicator::Split(int group) const
     part->Controller = part->Own;
   }
   return part;
-}
-
-std::string RankCommunicator::FirstText(const std::string& text)
-{
-  if (this->Size() == 1)
-  {
-    return text;
-  }
-  const int own = text.empty() ? this->Size() : this->Rank();
-  int first = own;
-  this->Controller->AllReduce(&own, &first, 1, vtkCommunicator::MIN_OP);
-  if (first == this->Size())
-  {
-    return {};
-  }
-  int length = static_cast<int>(text.size());
-  this->Controller->Broadcast(&length, 1, first);
-  std::string shared = text;
-  shared.resize(length);
-  this->Controller->Broadcast(shared.data(), length, first);
-  return shared;
-}
-
-void RankCommunicator::ThrowIfAny(const std::string& error)
-{
-  const std::string first = this->FirstText(error);
-  if (!first.empty())
-  {
-    throw std::invalid_argument(first);
-  }
 }
 
 RankSignal::RankSignal(const RankCommunicator& ranks)

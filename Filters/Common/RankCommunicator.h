@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkMPIController;
 
@@ -26,20 +27,24 @@ public:
   int Rank() const override;
   int Size() const override;
   void Sum(std::int64_t* values, std::size_t count) override;
-  void Share(double* values, std::size_t count) override;
   void Minimum(std::int32_t* values, std::size_t count) override;
   void Minimum(double* values, std::size_t count) override;
-  std::vector<std::vector<double>> Exchange(std::vector<std::vector<double>> outgoing) override;
-  void ThrowIfAny(const std::string& error) override;
-
-  /** Collective: the text of the lowest rank where it is not empty. */
-  std::string FirstText(const std::string& text);
+  using ruc::Communicator::Sum; // of doubles
 
   /** Collective: the ranks with the same `group` >= 0 as a communicator of their own, in the same
    * order. */
   std::unique_ptr<RankCommunicator> Split(int group) const;
 
   vtkMultiProcessController* GetController() const { return this->Controller; }
+
+  /** Throws std::invalid_argument where there are several ranks that MPI does not connect. */
+  void RequireMpi() const;
+
+protected:
+  void BroadcastBytes(std::string& bytes, int root) override;
+  std::vector<std::string> AllGatherBytes(
+    std::string own, const std::vector<std::size_t>& sizes) override;
+  std::vector<std::string> AllToAllBytes(std::vector<std::string> outgoing) override;
 
 private:
   vtkMultiProcessController* Controller;

@@ -144,6 +144,7 @@ int vtkRUCParallelAlgorithm::RequestData(
   RankCommunicator ranks(this->Controller);
   try
   {
+    ranks.RequireMpi();
     this->Execute(inputs, outputs, ranks);
     for (int port = 0; ranks.Size() > 1 && port < this->GetNumberOfOutputPorts(); ++port)
     {

@@ -320,10 +320,7 @@ private:
         centres = ruc::CentresOf(own->Found.Cell.Pack);
         numbers.Pass(own->Found, centres);
       }
-      auto size = static_cast<std::int64_t>(numbers.Values.size());
-      this->Ranks.Sum(&size, 1);
-      numbers.Values.resize(size, 0.0);
-      this->Ranks.Share(numbers.Values.data(), numbers.Values.size());
+      this->Ranks.Broadcast(numbers.Values, this->Ranks.LowestRank(own));
       numbers.Take();
       CellSearch::FoundCell found = NewCell(number, this->Target);
       numbers.Pass(found, centres);

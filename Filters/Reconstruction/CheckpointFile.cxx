@@ -16,7 +16,6 @@
 #include <fstream>
 #include <sstream>
 #include <system_error>
-#include <vector>
 
 namespace
 {
@@ -50,14 +49,7 @@ std::string CheckpointFile::Read(RankCommunicator& ranks) const
     }
   }
   ranks.ThrowIfAny(error);
-  // As whole numbers, which keep every bit
-  auto size = static_cast<std::int64_t>(bytes.size());
-  ranks.Sum(&size, 1);
-  std::vector<std::int64_t> words((size + 7) / 8, 0);
-  std::memcpy(words.data(), bytes.data(), bytes.size());
-  ranks.Sum(words.data(), words.size());
-  bytes.resize(size);
-  std::memcpy(bytes.data(), words.data(), size);
+  ranks.Broadcast(bytes, 0);
   return bytes;
 }
 

@@ -12,6 +12,7 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -81,10 +82,7 @@ private:
     {
       this->Reduce(this->Shared.Integers, values, count, [](auto a, auto b) { return a + b; });
     }
-    void Share(double* values, std::size_t count) override
-    {
-      this->Reduce(this->Shared.Numbers, values, count, [](auto a, auto b) { return a + b; });
-    }
+    using ruc::Communicator::Sum; // of doubles
     void Minimum(std::int32_t* values, std::size_t count) override
     {
       std::vector<std::int64_t> wide(values, values + count);
@@ -97,28 +95,32 @@ private:
       this->Reduce(
         this->Shared.Numbers, values, count, [](auto a, auto b) { return std::min(a, b); });
     }
-    std::vector<std::vector<double>> Exchange(std::vector<std::vector<double>> outgoing) override
+
+  protected:
+    void BroadcastBytes(std::string& bytes, int root) override
+    {
+      bytes = this->AllGatherBytes(std::move(bytes), {})[root];
+    }
+    std::vector<std::string> AllGatherBytes(
+      std::string own, const std::vector<std::size_t>&) override
+    {
+      this->Shared.Texts[this->Own] = std::move(own);
+      this->Shared.Wait();
+      const std::vector<std::string> all = this->Shared.Texts;
+      this->Shared.Wait();
+      return all;
+    }
+    std::vector<std::string> AllToAllBytes(std::vector<std::string> outgoing) override
     {
       this->Shared.Mail[this->Own] = std::move(outgoing);
       this->Shared.Wait();
-      std::vector<std::vector<double>> incoming;
+      std::vector<std::string> incoming;
       for (int rank = 0; rank < this->Shared.Size; ++rank)
       {
         incoming.push_back(this->Shared.Mail[rank][this->Own]);
       }
       this->Shared.Wait();
       return incoming;
-    }
-    void ThrowIfAny(const std::string& error) override
-    {
-      this->Shared.Texts[this->Own] = error;
-      this->Shared.Wait();
-      const std::vector<std::string> texts = this->Shared.Texts;
-      this->Shared.Wait();
-      for (const std::string& text : texts)
-      {
-        ruc::Communicator::ThrowIfAny(text);
-      }
     }
 
   private:
@@ -160,7 +162,7 @@ private:
   std::vector<std::vector<double>> Numbers;
   std::vector<std::vector<std::int64_t>> Integers;
   std::vector<std::string> Texts;
-  std::vector<std::vector<std::vector<double>>> Mail;
+  std::vector<std::vector<std::string>> Mail;
   int Size;
   int Waiting = 0;
   std::size_t Round = 0;

@@ -2,17 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ruc/Base/Bytes.h"
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ruc
 {
 /**
- * How the ranks of a computation that has to talk in every step do so. Every method is collective;
- * this class itself is the one rank of a serial run.
+ * How the ranks of a computation that has to talk in every step do so. Every method but Rank and
+ * Size is collective; this class itself is the one rank of a serial run.
+ *
+ * What goes from rank to rank may be of any type that Bytes.h writes.
  */
 class Communicator
 {
@@ -28,6 +34,22 @@ public:
   virtual void Minimum(std::int32_t* /*values*/, std::size_t /*count*/) {}
   virtual void Minimum(double* /*values*/, std::size_t /*count*/) {}
 
+  /** Replaces every number by its sum over the ranks, added in the order of the ranks: the same on
+   * all of them and in every run, but not for another number of ranks. */
+  void Sum(double* values, std::size_t count)
+  {
+    const std::vector<std::vector<double>> all =
+      this->AllGather(std::vector<double>(values, values + count));
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      values[n] = all.front()[n];
+      for (std::size_t rank = 1; rank < all.size(); ++rank)
+      {
+        values[n] += all[rank][n];
+      }
+    }
+  }
+
   /** Whether all ranks say yes. */
   bool All(bool yes)
   {
@@ -36,10 +58,112 @@ public:
     return least != 0;
   }
 
-  /** `outgoing[q]` goes to rank q; returned is what came from each rank, this one included. */
-  virtual std::vector<std::vector<double>> Exchange(std::vector<std::vector<double>> outgoing)
+  /** The lowest rank that says yes; Size() where none does. */
+  int LowestRank(bool yes)
   {
-    return outgoing;
+    std::int32_t lowest = yes ? this->Rank() : this->Size();
+    this->Minimum(&lowest, 1);
+    return lowest;
+  }
+
+  /** Replaces the value on every rank by the one of rank `root`. */
+  template <class Value>
+  void Broadcast(Value& value, int root)
+  {
+    if (this->Size() == 1)
+    {
+      return;
+    }
+    std::string bytes = this->Rank() == root ? ToBytes(value) : std::string();
+    this->BroadcastBytes(bytes, root);
+    if (this->Rank() != root)
+    {
+      FromBytes(bytes, value);
+    }
+  }
+
+  /** The values of all ranks, in their order. */
+  template <class Value>
+  std::vector<Value> AllGather(const Value& own)
+  {
+    if (this->Size() == 1)
+    {
+      return std::vector<Value>(1, own);
+    }
+    return FromAllBytes<Value>(this->AllGatherBytes(ToBytes(own), {}));
+  }
+
+  /** The values of all ranks, those of rank 0 first. */
+  template <class Value>
+  std::vector<Value> Concatenate(const std::vector<Value>& own)
+  {
+    std::vector<Value> all;
+    for (const std::vector<Value>& of : this->AllGather(own))
+    {
+      all.insert(all.end(), of.begin(), of.end());
+    }
+    return all;
+  }
+
+  /**
+   * Of `count` blocks of numbers, block n from begin(n) to begin(n + 1) was worked out by rank
+   * n % Size(). Afterwards every rank has them all.
+   */
+  template <class Begin>
+  void AllGatherInTurn(double* values, std::size_t count, Begin&& begin)
+  {
+    const std::size_t size = this->Size();
+    if (size == 1)
+    {
+      return;
+    }
+    std::string own;
+    std::vector<std::size_t> sizes(size, 0);
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      const std::size_t bytes = (begin(n + 1) - begin(n)) * sizeof(double);
+      sizes[n % size] += bytes;
+      if (n % size == static_cast<std::size_t>(this->Rank()))
+      {
+        own.append(reinterpret_cast<const char*>(values + begin(n)), bytes);
+      }
+    }
+    const std::vector<std::string> all = this->AllGatherBytes(std::move(own), sizes);
+    std::vector<std::size_t> next(size, 0);
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      const std::size_t bytes = (begin(n + 1) - begin(n)) * sizeof(double);
+      all[n % size].copy(reinterpret_cast<char*>(values + begin(n)), bytes, next[n % size]);
+      next[n % size] += bytes;
+    }
+  }
+
+  /** `outgoing[q]` goes to rank q; returned is what came from each rank, this one included. */
+  template <class Value>
+  std::vector<Value> AllToAll(std::vector<Value> outgoing)
+  {
+    if (this->Size() == 1)
+    {
+      return outgoing;
+    }
+    std::vector<std::string> bytes;
+    for (Value& value : outgoing)
+    {
+      bytes.push_back(ToBytes(std::exchange(value, Value{})));
+    }
+    return FromAllBytes<Value>(this->AllToAllBytes(std::move(bytes)));
+  }
+
+  /** The text of the lowest rank where it is not empty. */
+  std::string FirstText(const std::string& text)
+  {
+    const int first = this->LowestRank(!text.empty());
+    std::string shared = text;
+    if (first < this->Size())
+    {
+      this->Broadcast(shared, first);
+    }
+    return shared;
   }
 
   /**
@@ -47,18 +171,39 @@ public:
    * the lowest rank that has one. What can fail on one rank alone is agreed on in this way before
    * any rank goes on.
    */
-  virtual void ThrowIfAny(const std::string& error)
+  void ThrowIfAny(const std::string& error)
   {
-    if (!error.empty())
+    const std::string first = this->FirstText(error);
+    if (!first.empty())
     {
-      throw std::invalid_argument(error);
+      throw std::invalid_argument(first);
     }
   }
 
-  /**
-   * The same for numbers of which at most one rank holds another value than 0, so that the sum is
-   * exact: a way to share out what the ranks worked out each on their own.
-   */
-  virtual void Share(double* /*values*/, std::size_t /*count*/) {}
+protected:
+  // The same for bytes, where there is more than one rank; `sizes` of what every rank gathers are
+  // empty where the ranks do not know them
+  virtual void BroadcastBytes(std::string& /*bytes*/, int /*root*/) {}
+  virtual std::vector<std::string> AllGatherBytes(
+    std::string own, const std::vector<std::size_t>& /*sizes*/)
+  {
+    return { std::move(own) };
+  }
+  virtual std::vector<std::string> AllToAllBytes(std::vector<std::string> outgoing)
+  {
+    return outgoing;
+  }
+
+private:
+  template <class Value>
+  static std::vector<Value> FromAllBytes(std::vector<std::string> bytes)
+  {
+    std::vector<Value> values;
+    for (std::string& of : bytes)
+    {
+      FromBytes(std::exchange(of, {}), values.emplace_back());
+    }
+    return values;
+  }
 };
 }

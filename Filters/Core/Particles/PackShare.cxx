@@ -38,7 +38,7 @@ SpherePack ExchangeSpheres(SpherePack piece, std::int64_t total, Communicator& r
   ranks.Sum(&modesGiven, 1); // a rank without spheres cannot tell
   piece = {};
   SpherePack own;
-  for (const std::vector<double>& numbers : ranks.Exchange(std::move(outgoing)))
+  for (const std::vector<double>& numbers : ranks.AllToAll(std::move(outgoing)))
   {
     for (std::size_t n = 0; n < numbers.size(); n += NumbersPerSphere)
     {

@@ -36,8 +36,7 @@ std::vector<Bounds> FindBounds(const SpherePack& own, Communicator& ranks)
     }
   }
   std::vector<Bounds> bounds;
-  for (const std::vector<double>& n :
-    ranks.Exchange(std::vector<std::vector<double>>(ranks.Size(), numbers)))
+  for (const std::vector<double>& n : ranks.AllGather(numbers))
   {
     bounds.push_back({ { n[0], n[1], n[2] }, { -n[3], -n[4], -n[5] } });
   }
@@ -111,7 +110,7 @@ PairNeighbourhood::PairNeighbourhood(const PackShare& share, double cutoff, Comm
     }
   }
   std::map<Edges, SpherePack> halo;
-  for (std::vector<double>& numbers : ranks.Exchange(std::move(outgoing)))
+  for (std::vector<double>& numbers : ranks.AllToAll(std::move(outgoing)))
   {
     for (std::size_t n = 0; n < numbers.size(); n += NumbersPerSphere)
     {

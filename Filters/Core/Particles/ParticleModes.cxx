@@ -50,12 +50,7 @@ std::vector<double> EqualWidthEdges(const Extremes& all, int modes)
 
 std::vector<double> EqualVolumeEdges(const std::vector<double>& own, int modes, Communicator& ranks)
 {
-  std::vector<double> diameters;
-  for (const std::vector<double>& of :
-    ranks.Exchange(std::vector<std::vector<double>>(ranks.Size(), own)))
-  {
-    diameters.insert(diameters.end(), of.begin(), of.end());
-  }
+  std::vector<double> diameters = ranks.Concatenate(own);
   std::sort(diameters.begin(), diameters.end());
   double total = 0.0;
   for (double d : diameters)

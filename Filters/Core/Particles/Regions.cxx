@@ -10,20 +10,12 @@ RegionTree::RegionTree(const SpherePack& piece, std::int64_t total, Communicator
 {
   constexpr std::int64_t sampleSize = 65536;
   const std::size_t stride = static_cast<std::size_t>((total + sampleSize - 1) / sampleSize);
-  std::vector<double> sample;
+  std::vector<Vector3> sample;
   for (std::size_t i = 0; i < piece.Size(); i += stride)
   {
-    sample.insert(sample.end(), { piece.X[i], piece.Y[i], piece.Z[i] });
+    sample.push_back(piece.Centre(i));
   }
-  std::vector<Vector3> points;
-  for (const std::vector<double>& numbers :
-    ranks.Exchange(std::vector<std::vector<double>>(ranks.Size(), sample)))
-  {
-    for (std::size_t n = 0; n < numbers.size(); n += 3)
-    {
-      points.push_back({ numbers[n], numbers[n + 1], numbers[n + 2] });
-    }
-  }
+  std::vector<Vector3> points = ranks.Concatenate(sample);
   this->Root = this->Divide(points.begin(), points.end(), 0, ranks.Size());
 }
 

@@ -57,7 +57,8 @@ double TwoPointTerm::Evaluate(const PairCounts& pairs)
   {
     this->FindProbability(c, pairs, &probabilities[c * stride]);
   }
-  this->Ranks.Share(probabilities.data(), probabilities.size());
+  this->Ranks.AllGatherInTurn(
+    probabilities.data(), classes, [&](std::size_t c) { return c * stride; });
   for (int c = 0; c < classes; ++c)
   {
     std::copy_n(&probabilities[c * stride], stride,
@@ -110,7 +111,8 @@ void TwoPointTerm::AddPotential(std::vector<double>& potential) const
     }
     this->Classes.Kernel(c).AddPotential(lambda.data(), &own[this->Classes.Begin(c)]);
   }
-  this->Ranks.Share(own.data(), own.size());
+  this->Ranks.AllGatherInTurn(own.data(), this->Classes.NumberOfClasses(),
+    [&](std::size_t c) { return this->Classes.Begin(static_cast<int>(c)); });
   std::transform(own.begin(), own.end(), potential.begin(), potential.begin(), std::plus<>());
 }
 }

@@ -129,7 +129,7 @@ private:
       std::copy(centres.begin(), centres.end(), place);
       this->Evaluate(centres, place[length], place[length + 1]);
     }
-    this->Ranks.Share(numbers.data(), numbers.size());
+    this->Ranks.AllGatherInTurn(numbers.data(), number, [&](std::size_t n) { return n * stride; });
     std::vector<Member> members(number);
     for (int n = 0; n < number; ++n)
     {

@@ -38,8 +38,7 @@ std::vector<SphereType> FindTypes(const SpherePack& own, Communicator& ranks)
   {
     numbers.insert(numbers.end(), { double(type.Mode), type.Radius });
   }
-  for (const std::vector<double>& others :
-    ranks.Exchange(std::vector<std::vector<double>>(ranks.Size(), numbers)))
+  for (const std::vector<double>& others : ranks.AllGather(numbers))
   {
     for (std::size_t n = 0; n < others.size(); n += 2)
     {

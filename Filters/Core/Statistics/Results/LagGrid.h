@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <tuple>
+
 namespace ruc
 {
 /** More lags than this are refused. */
@@ -14,6 +16,12 @@ struct LagGrid
   int Count;
 
   double Maximum() const { return this->Spacing * this->Count; }
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Spacing, self.Count);
+  }
 };
 
 /** Throws std::invalid_argument for a number of lags, or of all numbers of S_rs, out of range. */

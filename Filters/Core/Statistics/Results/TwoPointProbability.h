@@ -5,6 +5,7 @@
 #include "ruc/Statistics/Results/LagGrid.h"
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace ruc
@@ -39,6 +40,12 @@ struct TwoPointProbability
 
   /** "1", "2", …, "m". */
   std::string PhaseName(int phase) const;
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Modes, self.Lags, self.Fractions, self.Values);
+  }
 };
 
 /** ||f|| = sqrt(sum over k = 1…K of f(r_k)^2), the paper's discrete norm; not divided by K. */

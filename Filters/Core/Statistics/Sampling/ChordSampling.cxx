@@ -162,7 +162,7 @@ private:
           });
       }
     }
-    parcels = this->Ranks.Exchange(std::move(parcels));
+    parcels = this->Ranks.AllToAll(std::move(parcels));
     for (int rank = 0; rank < size; ++rank)
     {
       if (rank != own)

@@ -248,9 +248,9 @@ ThreePointCounts FanCounts::Finish(
     this->FinishSums(triple.Squares, false, symmetric, ranks);
     this->FinishSums(triple.Products, false, symmetric, ranks);
     triple.Integrals.resize(triple.Integrals.empty() ? 0 : batches, { 0.0, 0.0, 0.0 });
-    // Every batch was one rank's
     static_assert(sizeof(ThirdOrderIntegrals) == 3 * sizeof(double));
-    ranks.Share(reinterpret_cast<double*>(triple.Integrals.data()), 3 * triple.Integrals.size());
+    ranks.AllGatherInTurn(reinterpret_cast<double*>(triple.Integrals.data()),
+      triple.Integrals.size(), [](std::size_t batch) { return 3 * batch; });
   }
   return std::move(this->Counts);
 }

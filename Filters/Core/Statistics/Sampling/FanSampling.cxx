@@ -168,7 +168,7 @@ private:
         this->ForEachFanOf(rank, [&](const TracedFan& fan) { Pack(fan.Hits, parcels[rank]); });
       }
     }
-    parcels = this->Ranks.Exchange(std::move(parcels));
+    parcels = this->Ranks.AllToAll(std::move(parcels));
     for (int rank = 0; own < end - first && rank < size; ++rank)
     {
       if (rank != own)
