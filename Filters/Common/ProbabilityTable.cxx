@@ -125,19 +125,7 @@ ruc::TwoPointProbability ProbabilityTable::Read(
         : ruc::Text(what, " requires all rows on one rank, got them on ", holders, "."));
   }
   ruc::TwoPointProbability probability(1, { 1.0, 0 });
-  std::string error;
-  if (holds)
-  {
-    try
-    {
-      probability = ReadLocal(table, what);
-    }
-    catch (const std::invalid_argument& e)
-    {
-      error = e.what();
-    }
-  }
-  ranks.ThrowIfAny(error);
+  ranks.Agree([&]() { probability = holds ? ReadLocal(table, what) : probability; });
   ranks.Broadcast(probability, ranks.LowestRank(holds));
   return probability;
 }

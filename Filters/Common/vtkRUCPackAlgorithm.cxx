@@ -4,6 +4,7 @@
 
 #include "PackData.h"
 #include "PackEstimate.h"
+#include "PackInput.h"
 #include "RankCommunicator.h"
 
 #include "vtkInformation.h"
@@ -24,14 +25,16 @@ double KnownOrZero(double number)
 
 int vtkRUCPackAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  PackInput::Accept(info);
   return 1;
 }
 
 void vtkRUCPackAlgorithm::Execute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
-  this->Execute(vtkPointSet::GetData(inputs[0]), outputs, ranks);
+  const vtkSmartPointer<vtkPointSet> points =
+    PackInput::Find(vtkDataObject::GetData(inputs[0]), ranks);
+  this->Execute(points.Get(), outputs, ranks);
 }
 
 PackData::WindowProperties vtkRUCPackAlgorithm::GetWindowProperties() const
@@ -51,7 +54,7 @@ PackData::WindowProperties vtkRUCPackAlgorithm::GetWindowProperties() const
 std::optional<ruc::PackFigures> vtkRUCPackAlgorithm::FindFigures()
 {
   const RankCommunicator ranks(this->GetController());
-  return PackEstimate::FindFigures(vtkPointSet::SafeDownCast(this->GetInputDataObject(0, 0)),
+  return PackEstimate::FindFigures(PackInput::FindHere(this->GetInputDataObject(0, 0)),
     this->GetWindowProperties(), static_cast<double>(this->SpheresInInput), ranks.Size());
 }
 

@@ -5,7 +5,8 @@
  * @brief What the filters of sphere packs have in common
  *
  * The input is a sphere pack: any point set with a point array `Radius` and, for most filters,
- * `Mode`. It may lie on one rank, be spread over ranks, or leave ranks empty; outputs are the same.
+ * `Mode`, or a composite data set of such (PackInput). It may lie on one rank, be spread over
+ * ranks, or leave ranks empty; outputs are the same.
  *
  * The window, the region in which the centres were observed, comes from the pack's field data
  * (`BoxOrigin`, `BoxSize`, `BoxPeriodic`, or `CylinderBase`, `CylinderAxis`, `CylinderRadius`,

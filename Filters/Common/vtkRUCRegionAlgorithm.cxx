@@ -27,7 +27,10 @@ int vtkRUCRegionAlgorithm::FillInputPortInformation(int port, vtkInformation* in
   {
     return this->Superclass::FillInputPortInformation(port, info);
   }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  // A composite image is refused as one without voxels; else the pipeline would go through its
+  // blocks
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }

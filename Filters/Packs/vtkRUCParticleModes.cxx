@@ -127,9 +127,9 @@ void vtkRUCParticleModes::Execute(
   settings.NumberOfModes = this->NumberOfModes;
   settings.Edges = this->Method == EXPLICIT_EDGES ? this->Edges : std::vector<double>{};
   settings.MinimumDiameter = this->MinimumDiameter;
-  std::vector<double> diameters(pack.Piece.Size());
-  std::transform(pack.Piece.Radius.begin(), pack.Piece.Radius.end(), diameters.begin(),
-    [](double r) { return 2.0 * r; });
+  const std::vector<double>& radii = pack.Piece.Spheres().Radius;
+  std::vector<double> diameters(radii.size());
+  std::transform(radii.begin(), radii.end(), diameters.begin(), [](double r) { return 2.0 * r; });
   const ruc::ParticleModes modes(std::move(diameters), settings, ranks);
 
   const int wanted = this->Method == ONE_PER_SIZE ? modes.NumberOfModes()

@@ -4,9 +4,11 @@
 
 #include "PackData.h"
 #include "RankCommunicator.h"
+#include "SphereSurface.h"
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Particles/PeriodicReplicas.h"
-#include "ruc/Window/ConvexSurface.h"
+#include "ruc/Window/BoxOutline.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
@@ -21,7 +23,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSphereSource.h"
 
 #include <algorithm>
 #include <array>
@@ -58,6 +59,12 @@ Copies TakeCopies(const Copies& source, const ruc::Window& box,
   return copies;
 }
 
+Copies TileAll(const ruc::SpherePack& pack, const ruc::Window& box, const std::array<int, 3>& tiles)
+{
+  const Copies once{ pack, std::vector<std::array<int, 3>>(pack.Size(), { 0, 0, 0 }) };
+  return TakeCopies(once, box, ruc::Tiling(pack, tiles), { 1, 1, 1 });
+}
+
 // This rank's part
 Copies ShareOf(const Copies& all, const RankCommunicator& ranks)
 {
@@ -86,109 +93,6 @@ void FillPoints(const Copies& copies, vtkPolyData* output)
   output->GetPointData()->AddArray(images);
 }
 
-ruc::ConvexSurface ToConvex(vtkPolyData* surface)
-{
-  ruc::ConvexSurface convex;
-  convex.Points.resize(surface->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    surface->GetPoint(i, convex.Points[i].data());
-  }
-  vtkIdType size;
-  const vtkIdType* points;
-  for (surface->GetPolys()->InitTraversal(); surface->GetPolys()->GetNextCell(size, points);)
-  {
-    convex.Faces.emplace_back(points, points + size);
-  }
-  return convex;
-}
-
-// Faces of many corners, the cuts, around their middle, which has no slivers
-void FillTriangles(const ruc::ConvexSurface& convex, vtkPolyData* surface)
-{
-  constexpr std::size_t mostCornersOfAFacet = 6;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> triangles;
-  for (const ruc::Vector3& point : convex.Points)
-  {
-    points->InsertNextPoint(point.data());
-  }
-  auto insert = [&](vtkIdType a, vtkIdType b, vtkIdType c)
-  {
-    const vtkIdType corners[3] = { a, b, c };
-    triangles->InsertNextCell(3, corners);
-  };
-  for (const std::vector<int>& face : convex.Faces)
-  {
-    if (face.size() <= mostCornersOfAFacet)
-    {
-      for (std::size_t k = 1; k + 1 < face.size(); ++k)
-      {
-        insert(face[0], face[k], face[k + 1]);
-      }
-      continue;
-    }
-    ruc::Vector3 middle{};
-    for (int corner : face)
-    {
-      for (int q = 0; q < 3; ++q)
-      {
-        middle[q] += convex.Points[corner][q] / face.size();
-      }
-    }
-    const vtkIdType centre = points->InsertNextPoint(middle.data());
-    for (std::size_t k = 0; k < face.size(); ++k)
-    {
-      insert(centre, face[k], face[(k + 1) % face.size()]);
-    }
-  }
-  surface->Initialize();
-  surface->SetPoints(points);
-  surface->SetPolys(triangles);
-}
-
-// The sphere's surface, closed where the box cuts it: triangles, on a cut around its middle
-void CutSurface(const ruc::Vector3& centre, double radius, const ruc::Window& box, int resolution,
-  vtkPolyData* surface)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(centre[0], centre[1], centre[2]);
-  sphere->SetRadius(radius);
-  sphere->SetThetaResolution(resolution);
-  sphere->SetPhiResolution(resolution / 2 + 1);
-  sphere->GenerateNormalsOff(); // they would be wrong on the cut faces
-  // Copies of a sphere are to have the same cuts on opposite faces
-  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  sphere->Update();
-  surface->ShallowCopy(sphere->GetOutput());
-  ruc::ConvexSurface cut;
-  for (int q = 0; q < 3; ++q)
-  {
-    for (int side : { 1, -1 }) // above the lower face, below the upper one
-    {
-      const double face = side > 0 ? box.Origin[q] : box.Origin[q] + box.Size[q];
-      if (box.Periodic[q] && side * (centre[q] - face) < radius)
-      {
-        if (cut.Points.empty())
-        {
-          cut = ToConvex(surface);
-        }
-        cut.Cut(q, face, side, 1e-9 * radius);
-        if (cut.Points.empty())
-        {
-          surface->Initialize(); // the sphere reaches into the box, its facets do not
-          return;
-        }
-      }
-    }
-  }
-  if (!cut.Points.empty())
-  {
-    FillTriangles(cut, surface);
-  }
-}
-
 // Every point of a surface takes the arrays of its centre
 void FillSurfaces(const Copies& copies, const ruc::Window& box, int resolution, vtkPolyData* output)
 {
@@ -198,7 +102,7 @@ void FillSurfaces(const Copies& copies, const ruc::Window& box, int resolution, 
   for (std::size_t i = 0; i < copies.Pack.Size(); ++i)
   {
     vtkNew<vtkPolyData> surface;
-    CutSurface(copies.Pack.Centre(i), copies.Pack.Radius[i], box, resolution, surface);
+    SphereSurface::Fill(copies.Pack.Centre(i), copies.Pack.Radius[i], box, resolution, surface);
     vtkPointData* data = surface->GetPointData();
     data->Initialize();
     data->CopyAllocate(points->GetPointData(), surface->GetNumberOfPoints());
@@ -228,23 +132,14 @@ void FillOutline(const ruc::Window& box, const std::array<int, 3>& tiles, vtkPol
       for (int x = 0; x < tiles[0]; ++x)
       {
         const vtkIdType first = points->GetNumberOfPoints();
-        for (int corner = 0; corner < 8; ++corner)
-        {
-          points->InsertNextPoint(box.Origin[0] + (x + (corner & 1)) * box.Size[0],
-            box.Origin[1] + (y + (corner >> 1 & 1)) * box.Size[1],
-            box.Origin[2] + (z + (corner >> 2)) * box.Size[2]);
-        }
-        for (int corner = 0; corner < 8; ++corner)
-        {
-          for (int bit : { 1, 2, 4 })
+        ruc::ForEachOfOutline(
+          box.Origin, box.Size, { x, y, z },
+          [&](const ruc::Vector3& corner) { points->InsertNextPoint(corner.data()); },
+          [&](int a, int b)
           {
-            if (!(corner & bit))
-            {
-              const vtkIdType ends[2] = { first + corner, first + (corner | bit) };
-              lines->InsertNextCell(2, ends);
-            }
-          }
-        }
+            const vtkIdType ends[2] = { first + a, first + b };
+            lines->InsertNextCell(2, ends);
+          });
       }
     }
   }
@@ -264,20 +159,39 @@ int vtkRUCPeriodicReplicas::FillOutputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+void vtkRUCPeriodicReplicas::CheckProperties() const
+{
+  ruc::Require(
+    this->Mode == BOUNDARY_COPIES || this->Mode == TILING, "Mode", "the value 0 or 1", this->Mode);
+  ruc::Require(this->SurfaceResolution >= 8 && this->SurfaceResolution <= 256, "SurfaceResolution",
+    "8 <= SurfaceResolution <= 256", this->SurfaceResolution);
+}
+
+std::array<int, 3> vtkRUCPeriodicReplicas::FindTiles(
+  const ruc::Window& box, std::size_t spheres) const
+{
+  constexpr double mostCopies = 1e8;
+  std::array<int, 3> tiles = { 1, 1, 1 };
+  if (this->Mode == TILING)
+  {
+    std::copy_n(this->Tiles, 3, tiles.begin());
+  }
+  const double copies = double(tiles[0]) * tiles[1] * tiles[2] * spheres;
+  for (int q = 0; q < 3; ++q)
+  {
+    ruc::Require(tiles[q] >= 1 && (tiles[q] == 1 || box.Periodic[q]) && copies <= mostCopies,
+      "Tiles",
+      ruc::Text("numbers >= 1, 1 along axes that are not periodic, and at most ", mostCopies,
+        " copies in all"),
+      ruc::Text(tiles[0], " ", tiles[1], " ", tiles[2], " for ", spheres, " spheres"));
+  }
+  return tiles;
+}
+
 void vtkRUCPeriodicReplicas::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
-  constexpr double mostCopies = 1e8;
-  if (this->Mode != BOUNDARY_COPIES && this->Mode != TILING)
-  {
-    throw std::invalid_argument(ruc::Text("Mode requires the value 0 or 1, got ", this->Mode, "."));
-  }
-  if (this->SurfaceResolution < 8 || this->SurfaceResolution > 256)
-  {
-    throw std::invalid_argument(
-      ruc::Text("SurfaceResolution requires 8 <= SurfaceResolution <= 256, got ",
-        this->SurfaceResolution, "."));
-  }
+  this->CheckProperties();
   PackData::ObservedPack observed = PackData::GatherPack(
     input, this->GetWindowProperties(), PackData::HasArray(input, "Mode", ranks), ranks);
   const ruc::Window& box = observed.Observed;
@@ -287,62 +201,43 @@ void vtkRUCPeriodicReplicas::Execute(
       "A periodic box is required (field data BoxPeriodic, or BoxSize and BoxPeriodic), got a ",
       box.Describe(), "."));
   }
-  std::array<int, 3> tiles = { 1, 1, 1 };
-  if (this->Mode == TILING)
-  {
-    std::copy_n(this->Tiles, 3, tiles.begin());
-  }
-  const double copies = double(tiles[0]) * tiles[1] * tiles[2] * observed.Pack.Size();
-  for (int q = 0; q < 3; ++q)
-  {
-    if (tiles[q] < 1 || (tiles[q] > 1 && !box.Periodic[q]) || copies > mostCopies)
-    {
-      throw std::invalid_argument(
-        ruc::Text("Tiles requires numbers >= 1, 1 along axes that are not periodic, and at most ",
-          mostCopies, " copies in all, got ", tiles[0], " ", tiles[1], " ", tiles[2], " for ",
-          observed.Pack.Size(), " spheres."));
-    }
-  }
-
-  ruc::WrapIntoBox(observed.Pack, box);
-  Copies all{ observed.Pack, std::vector<std::array<int, 3>>(observed.Pack.Size(), { 0, 0, 0 }) };
-  if (this->Mode == TILING)
-  {
-    all = TakeCopies(all, box, ruc::Tiling(all.Pack, tiles), { 1, 1, 1 });
-  }
+  const std::array<int, 3> tiles = this->FindTiles(box, observed.Pack.Size());
   const ruc::Window block = ruc::Window::MakeBox(box.Origin,
     { box.Size[0] * tiles[0], box.Size[1] * tiles[1], box.Size[2] * tiles[2] }, box.Periodic);
-  Copies filled = all; // every sphere that reaches into the block
-  if (this->Mode == BOUNDARY_COPIES || this->ClipToBox)
-  {
-    filled = TakeCopies(all, block, ruc::BoundaryCopies(all.Pack, block), tiles);
-  }
-  if (this->Mode == BOUNDARY_COPIES)
-  {
-    all = filled;
-  }
+  ruc::WrapIntoBox(observed.Pack, box);
+  const Copies all = TileAll(observed.Pack, box, tiles);
+  const Copies filled = this->Mode == BOUNDARY_COPIES || this->ClipToBox
+    ? TakeCopies(all, block, ruc::BoundaryCopies(all.Pack, block), tiles)
+    : Copies(); // every sphere that reaches into the block
+  const Copies& shown = this->Mode == BOUNDARY_COPIES ? filled : all;
 
-  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-  FillPoints(ShareOf(all, ranks), output);
-  vtkPolyData* outline = vtkPolyData::GetData(outputs, 1);
+  FillPoints(ShareOf(shown, ranks), vtkPolyData::GetData(outputs, 0));
   if (ranks.Rank() == 0)
   {
-    FillOutline(box, tiles, outline);
+    FillOutline(box, tiles, vtkPolyData::GetData(outputs, 1));
   }
-  vtkPolyData* surfaces = vtkPolyData::GetData(outputs, 2);
   if (this->ClipToBox)
   {
-    FillSurfaces(ShareOf(filled, ranks), block, this->SurfaceResolution, surfaces);
+    FillSurfaces(
+      ShareOf(filled, ranks), block, this->SurfaceResolution, vtkPolyData::GetData(outputs, 2));
   }
-  for (vtkPolyData* data : { output, outline, surfaces })
+  this->AddSummary(observed, tiles, block, shown.Pack.Size(), outputs);
+}
+
+void vtkRUCPeriodicReplicas::AddSummary(const PackData::ObservedPack& observed,
+  const std::array<int, 3>& tiles, const ruc::Window& block, std::size_t copies,
+  vtkInformationVector* outputs) const
+{
+  for (int port = 0; port < 3; ++port)
   {
+    vtkPolyData* data = vtkPolyData::GetData(outputs, port);
     PackData::AddField(
       data, "Method", std::string(this->Mode == TILING ? "Tiling" : "Boundary Copies"));
     PackData::AddField(data, "Tiles", std::vector<long long>{ tiles[0], tiles[1], tiles[2] });
     PackData::AddField(data, "NumberOfSpheres",
       std::vector<long long>{ static_cast<long long>(observed.Pack.Size()) });
     PackData::AddField(
-      data, "NumberOfCopies", std::vector<long long>{ static_cast<long long>(all.Pack.Size()) });
+      data, "NumberOfCopies", std::vector<long long>{ static_cast<long long>(copies) });
     // Copies beyond the box are no pack in it; a whole tiling is one again
     PackData::AddOrigin(data, observed);
     if (this->Mode == TILING)

@@ -21,6 +21,17 @@
 #include "RUCPacksModule.h"
 #include "vtkRUCPackAlgorithm.h"
 
+#include <array>
+
+namespace PackData
+{
+struct ObservedPack;
+}
+namespace ruc
+{
+class Window;
+}
+
 class RUCPACKS_EXPORT vtkRUCPeriodicReplicas : public vtkRUCPackAlgorithm
 {
 public:
@@ -66,6 +77,13 @@ protected:
 private:
   vtkRUCPeriodicReplicas(const vtkRUCPeriodicReplicas&) = delete;
   void operator=(const vtkRUCPeriodicReplicas&) = delete;
+
+  void CheckProperties() const;
+  /** The tiles along each axis; throws std::invalid_argument where they do not fit the box. */
+  std::array<int, 3> FindTiles(const ruc::Window& box, std::size_t spheres) const;
+  /** The field data of all outputs. */
+  void AddSummary(const PackData::ObservedPack& observed, const std::array<int, 3>& tiles,
+    const ruc::Window& block, std::size_t copies, vtkInformationVector* outputs) const;
 
   int Mode = BOUNDARY_COPIES;
   int Tiles[3] = { 1, 1, 1 };

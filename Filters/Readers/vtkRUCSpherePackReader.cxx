@@ -5,6 +5,7 @@
 #include "PackData.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Formats/SpherePackText.h"
+#include "ruc/Particles/PeriodicReplicas.h"
 
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"

@@ -6,6 +6,7 @@
 #include "OutputSummary.h"
 #include "PackData.h"
 #include "PackEstimate.h"
+#include "PackInput.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
 #include "ThreePointTables.h"
@@ -77,17 +78,17 @@ double vtkRUCThreePointProbability::EstimateMemory(
 double vtkRUCThreePointProbability::GetEstimatedMemory()
 {
   const RankCommunicator ranks(this->GetController());
-  vtkPointSet* input = vtkPointSet::SafeDownCast(this->GetInputDataObject(0, 0));
-  vtkDataArray* modes = input ? input->GetPointData()->GetArray("Mode") : nullptr;
-  // Without data every mode may be there, unless all are asked for
-  const bool known = modes && modes->GetNumberOfTuples() > 0;
-  if (!known && this->Phases.find("all") != std::string::npos)
-  {
-    return 0.0;
-  }
-  const int number = known ? static_cast<int>(modes->GetRange(0)[1]) : 999999;
   try
   {
+    const vtkSmartPointer<vtkPointSet> input = PackInput::FindHere(this->GetInputDataObject(0, 0));
+    vtkDataArray* modes = input ? input->GetPointData()->GetArray("Mode") : nullptr;
+    // Without data every mode may be there, unless all are asked for
+    const bool known = modes && modes->GetNumberOfTuples() > 0;
+    const int number = known ? static_cast<int>(modes->GetRange(0)[1]) : 999999;
+    if (!known && this->Phases.find("all") != std::string::npos)
+    {
+      return 0.0;
+    }
     return this->EstimateMemory(ruc::ParseTriples(this->Phases, number).size(), true, ranks.Size());
   }
   catch (const std::invalid_argument&)

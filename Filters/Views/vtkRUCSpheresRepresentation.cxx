@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRUCSpheresRepresentation.h"
 
+#include "ruc/Window/BoxOutline.h"
 #include "vtkRUCSphereMapper.h"
 
 #include <vtkActor.h>
@@ -52,19 +53,14 @@ std::vector<double> Field(vtkDataObject* data, const char* name, int count)
 void AddBox(const std::vector<double>& origin, const std::vector<double>& size, vtkPolyData* lines)
 {
   const vtkIdType first = lines->GetNumberOfPoints();
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    lines->GetPoints()->InsertNextPoint(origin[0] + (corner & 1) * size[0],
-      origin[1] + (corner >> 1 & 1) * size[1], origin[2] + (corner >> 2) * size[2]);
-    for (int bit : { 1, 2, 4 })
+  ruc::ForEachOfOutline(
+    { origin[0], origin[1], origin[2] }, { size[0], size[1], size[2] }, { 0, 0, 0 },
+    [&](const ruc::Vector3& corner) { lines->GetPoints()->InsertNextPoint(corner.data()); },
+    [&](int a, int b)
     {
-      if (corner & bit)
-      {
-        const vtkIdType ends[2] = { first + (corner ^ bit), first + corner };
-        lines->GetLines()->InsertNextCell(2, ends);
-      }
-    }
-  }
+      const vtkIdType ends[2] = { first + a, first + b };
+      lines->GetLines()->InsertNextCell(2, ends);
+    });
 }
 
 void AddCylinder(const std::vector<double>& base, std::vector<double> axis, double radius,

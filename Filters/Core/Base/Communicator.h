@@ -180,6 +180,23 @@ public:
     }
   }
 
+  /** Does work that may throw std::invalid_argument on one rank alone, and throws that of the
+   * lowest rank on every rank. The work must not be collective itself. */
+  template <class Work>
+  void Agree(Work&& work)
+  {
+    std::string error;
+    try
+    {
+      work();
+    }
+    catch (const std::invalid_argument& e)
+    {
+      error = e.what();
+    }
+    this->ThrowIfAny(error);
+  }
+
 protected:
   // The same for bytes, where there is more than one rank; `sizes` of what every rank gathers are
   // empty where the ranks do not know them

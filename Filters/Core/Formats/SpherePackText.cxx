@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Formats/SpherePackText.h"
 
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
-#include "ruc/Particles/CellList.h"
 
 #include <algorithm>
 #include <cctype>
@@ -168,48 +168,46 @@ int FindColumn(const std::vector<std::string>& names, std::initializer_list<cons
   return -1;
 }
 
-Columns FindColumns(std::size_t line, const std::vector<std::string_view>& fields, bool header,
-  const SpherePackTextSettings& settings)
+// The columns' names as messages list them
+std::string ListOf(const std::vector<std::string>& names)
 {
-  Columns columns;
-  columns.Count = fields.size();
-  columns.Diameter = settings.RadiusIsDiameter;
-  std::string found;
-  if (header)
+  std::string list;
+  for (const std::string& name : names)
   {
-    columns.Names.assign(fields.begin(), fields.end());
-    for (const std::string& name : columns.Names)
-    {
-      found += (found.empty() ? "'" : ", '") + name + "'";
-    }
-    const struct
-    {
-      int& Column;
-      const char* Name;
-      std::initializer_list<const char*> Names;
-    } axes[] = { { columns.X, "x", { "x", "points:0", "points_0" } },
-      { columns.Y, "y", { "y", "points:1", "points_1" } },
-      { columns.Z, "z", { "z", "points:2", "points_2" } } };
-    for (const auto& axis : axes)
-    {
-      axis.Column = FindColumn(columns.Names, axis.Names);
-      if (axis.Column < 0)
-      {
-        Fail(line, Text("a column '", axis.Name, "' is required, got the columns ", found, "."));
-      }
-    }
-    columns.Mode = FindColumn(columns.Names, { "mode" });
-    columns.Id = FindColumn(columns.Names, { "id" });
+    list += (list.empty() ? "'" : ", '") + name + "'";
   }
-  else if (columns.Count < 3)
-  {
-    Fail(line,
-      Text("the columns x, y, z and radius are required, got ", columns.Count, " column(s)."));
-  }
+  return list;
+}
 
+void FindNamedColumns(std::size_t line, Columns& columns)
+{
+  const struct
+  {
+    int& Column;
+    const char* Name;
+    std::initializer_list<const char*> Names;
+  } axes[] = { { columns.X, "x", { "x", "points:0", "points_0" } },
+    { columns.Y, "y", { "y", "points:1", "points_1" } },
+    { columns.Z, "z", { "z", "points:2", "points_2" } } };
+  for (const auto& axis : axes)
+  {
+    axis.Column = FindColumn(columns.Names, axis.Names);
+    if (axis.Column < 0)
+    {
+      Fail(line,
+        Text(
+          "a column '", axis.Name, "' is required, got the columns ", ListOf(columns.Names), "."));
+    }
+  }
+  columns.Mode = FindColumn(columns.Names, { "mode" });
+  columns.Id = FindColumn(columns.Names, { "id" });
+}
+
+// The column that the settings name, or count from 1
+void FindGivenRadius(std::size_t line, const std::string& given, Columns& columns)
+{
   double number = 0.0;
-  if (!settings.RadiusColumn.empty() && ParseNumber(settings.RadiusColumn, number) &&
-    number == std::floor(number))
+  if (ParseNumber(given, number) && number == std::floor(number))
   {
     if (!(number >= 1.0 && number <= columns.Count))
     {
@@ -217,37 +215,58 @@ Columns FindColumns(std::size_t line, const std::vector<std::string_view>& field
         Text("RadiusColumn requires a column from 1 to ", columns.Count, ", got ", number, "."));
     }
     columns.Radius = static_cast<int>(number) - 1;
+    return;
   }
-  else if (!settings.RadiusColumn.empty())
+  columns.Radius = FindColumn(columns.Names, { Lower(given).c_str() });
+  if (columns.Radius < 0)
   {
-    const std::string wanted = Lower(settings.RadiusColumn);
-    columns.Radius = FindColumn(columns.Names, { wanted.c_str() });
-    if (columns.Radius < 0)
-    {
-      Fail(line,
-        Text("RadiusColumn requires a column '", settings.RadiusColumn, "', got ",
-          header ? "the columns " + found : "a text without header", "."));
-    }
+    Fail(line,
+      Text("RadiusColumn requires a column '", given, "', got ",
+        columns.Names.empty() ? "a text without header" : "the columns " + ListOf(columns.Names),
+        "."));
   }
-  else if (header)
+}
+
+void FindNamedRadius(std::size_t line, Columns& columns)
+{
+  columns.Radius = FindColumn(columns.Names, { "radius", "r", "rad" });
+  if (columns.Radius < 0)
   {
-    columns.Radius = FindColumn(columns.Names, { "radius", "r", "rad" });
-    if (columns.Radius < 0)
-    {
-      columns.Radius = FindColumn(columns.Names, { "diameter", "d", "diam" });
-      columns.Diameter = true;
-    }
-    if (columns.Radius < 0)
-    {
-      Fail(line,
-        Text("a column 'radius' or 'diameter' is required (or RadiusColumn set), got the columns ",
-          found, "."));
-    }
+    columns.Radius = FindColumn(columns.Names, { "diameter", "d", "diam" });
+    columns.Diameter = true;
   }
-  else if (columns.Count < 4)
+  if (columns.Radius < 0)
+  {
+    Fail(line,
+      Text("a column 'radius' or 'diameter' is required (or RadiusColumn set), got the columns ",
+        ListOf(columns.Names), "."));
+  }
+}
+
+Columns FindColumns(std::size_t line, const std::vector<std::string_view>& fields, bool header,
+  const SpherePackTextSettings& settings)
+{
+  Columns columns;
+  columns.Count = fields.size();
+  columns.Diameter = settings.RadiusIsDiameter;
+  const bool given = !settings.RadiusColumn.empty();
+  if (header)
+  {
+    columns.Names.assign(fields.begin(), fields.end());
+    FindNamedColumns(line, columns);
+  }
+  else if (columns.Count < (given ? 3u : 4u))
   {
     Fail(line,
       Text("the columns x, y, z and radius are required, got ", columns.Count, " column(s)."));
+  }
+  if (given)
+  {
+    FindGivenRadius(line, settings.RadiusColumn, columns);
+  }
+  else if (header)
+  {
+    FindNamedRadius(line, columns);
   }
   return columns;
 }
@@ -280,6 +299,76 @@ std::int64_t Integer(std::size_t line, const std::vector<std::string_view>& fiel
   }
   return static_cast<std::int64_t>(value);
 }
+
+// A line without blanks around it; empty where it is to be passed over
+std::string_view CheckLine(std::size_t number, std::string_view line)
+{
+  if (line.size() > LongestLine)
+  {
+    Fail(number,
+      Text("a line of at most ", LongestLine, " bytes is required, got ", line.size(), "."));
+  }
+  const std::size_t bad = FindBadByte(line);
+  if (bad != std::string_view::npos)
+  {
+    Fail(number,
+      Text("UTF-8 text is required, got the byte ",
+        static_cast<unsigned>(static_cast<unsigned char>(line[bad])), " at place ", bad + 1, "."));
+  }
+  line = TrimBlanks(line);
+  return line.empty() || line.front() == '#' ? std::string_view() : line;
+}
+
+bool IsHeader(const std::vector<std::string_view>& fields)
+{
+  double ignored;
+  return std::any_of(
+    fields.begin(), fields.end(), [&](auto field) { return !ParseNumber(field, ignored); });
+}
+
+// Appends the sphere of a row
+void AppendRow(std::size_t number, const std::vector<std::string_view>& fields,
+  const Columns& columns, double scale, SpherePack& pack)
+{
+  if (fields.size() != columns.Count)
+  {
+    Fail(number,
+      Text(columns.Count, " fields are required as in the first line, got ", fields.size(), "."));
+  }
+  const double radius =
+    Number(number, fields, columns, columns.Radius) * (columns.Diameter ? 0.5 : 1.0);
+  if (!(radius > 0.0))
+  {
+    Fail(number,
+      Text(columns.Name(columns.Radius), " requires a number > 0, got ",
+        Quote(fields[columns.Radius]), "."));
+  }
+  const double numbers[4] = { Number(number, fields, columns, columns.X),
+    Number(number, fields, columns, columns.Y), Number(number, fields, columns, columns.Z),
+    radius };
+  for (double value : numbers)
+  {
+    if (!std::isfinite(scale * value) || scale * radius == 0.0)
+    {
+      Fail(number,
+        Text("Scale requires a factor that leaves every number finite and every radius > 0, got ",
+          scale, "."));
+    }
+  }
+  pack.X.push_back(scale * numbers[0]);
+  pack.Y.push_back(scale * numbers[1]);
+  pack.Z.push_back(scale * numbers[2]);
+  pack.Radius.push_back(scale * radius);
+  if (columns.Mode >= 0)
+  {
+    pack.Mode.push_back(static_cast<int>(
+      Integer(number, fields, columns, columns.Mode, std::numeric_limits<int>::max())));
+  }
+  if (columns.Id >= 0)
+  {
+    pack.Id.push_back(Integer(number, fields, columns, columns.Id, 9007199254740992.0));
+  }
+}
 }
 
 void SpherePackText::Append(const SpherePackText& other, std::size_t i)
@@ -290,18 +379,15 @@ void SpherePackText::Append(const SpherePackText& other, std::size_t i)
 
 SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettings& settings)
 {
-  if (!(std::isfinite(settings.Scale) && settings.Scale > 0.0))
-  {
-    throw std::invalid_argument(
-      Text("Scale requires a finite number > 0, got ", settings.Scale, "."));
-  }
+  Require(std::isfinite(settings.Scale) && settings.Scale > 0.0, "Scale", "a finite number > 0",
+    settings.Scale);
   constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
   if (text.substr(0, byteOrderMark.size()) == byteOrderMark)
   {
     text.remove_prefix(byteOrderMark.size());
   }
+  const auto skipped = static_cast<std::size_t>(std::max(settings.SkipLines, 0));
   SpherePackText result;
-  SpherePack& pack = result.Pack;
   Columns columns;
   char separator = ' ';
   bool first = true;
@@ -309,125 +395,31 @@ SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettin
   for (std::size_t at = 0, number = 1; at < text.size(); ++number)
   {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    std::string_view line = text.substr(at, end - at);
+    const std::string_view whole = text.substr(at, end - at);
     at = end + 1;
-    if (number <= static_cast<std::size_t>(std::max(settings.SkipLines, 0)))
+    const std::string_view line = number <= skipped ? "" : CheckLine(number, whole);
+    if (line.empty())
     {
       continue;
     }
-    if (line.size() > LongestLine)
-    {
-      Fail(number,
-        Text("a line of at most ", LongestLine, " bytes is required, got ", line.size(), "."));
-    }
-    const std::size_t bad = FindBadByte(line);
-    if (bad != std::string_view::npos)
-    {
-      Fail(number,
-        Text("UTF-8 text is required, got the byte ",
-          static_cast<unsigned>(static_cast<unsigned char>(line[bad])), " at place ", bad + 1,
-          "."));
-    }
-    line = TrimBlanks(line);
-    if (line.empty() || line.front() == '#')
-    {
-      continue;
-    }
-    if (first)
-    {
-      separator = FindSeparator(line);
-    }
+    separator = first ? FindSeparator(line) : separator;
     Split(line, separator, fields);
+    const bool header = first && IsHeader(fields);
     if (first)
     {
-      first = false;
-      double ignored;
-      const bool header = std::any_of(
-        fields.begin(), fields.end(), [&](auto field) { return !ParseNumber(field, ignored); });
       columns = FindColumns(number, fields, header, settings);
-      if (header)
-      {
-        continue;
-      }
+      first = false;
     }
-    if (fields.size() != columns.Count)
+    if (!header)
     {
-      Fail(number,
-        Text(columns.Count, " fields are required as in the first line, got ", fields.size(), "."));
+      AppendRow(number, fields, columns, settings.Scale, result.Pack);
+      result.Line.push_back(number);
     }
-    const double radius =
-      Number(number, fields, columns, columns.Radius) * (columns.Diameter ? 0.5 : 1.0);
-    if (!(radius > 0.0))
-    {
-      Fail(number,
-        Text(columns.Name(columns.Radius), " requires a number > 0, got ",
-          Quote(fields[columns.Radius]), "."));
-    }
-    const double numbers[4] = { Number(number, fields, columns, columns.X),
-      Number(number, fields, columns, columns.Y), Number(number, fields, columns, columns.Z),
-      radius };
-    for (double value : numbers)
-    {
-      if (!std::isfinite(settings.Scale * value) || settings.Scale * radius == 0.0)
-      {
-        Fail(number,
-          Text("Scale requires a factor that leaves every number finite and every radius > 0, got ",
-            settings.Scale, "."));
-      }
-    }
-    pack.X.push_back(settings.Scale * numbers[0]);
-    pack.Y.push_back(settings.Scale * numbers[1]);
-    pack.Z.push_back(settings.Scale * numbers[2]);
-    pack.Radius.push_back(settings.Scale * radius);
-    if (columns.Mode >= 0)
-    {
-      pack.Mode.push_back(static_cast<int>(
-        Integer(number, fields, columns, columns.Mode, std::numeric_limits<int>::max())));
-    }
-    if (columns.Id >= 0)
-    {
-      pack.Id.push_back(Integer(number, fields, columns, columns.Id, 9007199254740992.0));
-    }
-    result.Line.push_back(number);
   }
-  if (pack.Empty())
+  if (result.Pack.Empty())
   {
     throw std::invalid_argument("At least one line with a sphere is required, got none.");
   }
   return result;
-}
-
-std::vector<bool> FindPeriodicCopies(const SpherePack& pack, const Window& box)
-{
-  constexpr double tolerance = 1e-5;
-  std::vector<bool> outside(pack.Size(), false);
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    for (int q = 0; q < 3; ++q)
-    {
-      const double c = pack.Centre(i)[q];
-      outside[i] =
-        outside[i] || (box.Periodic[q] && !(c >= box.Origin[q] && c < box.Origin[q] + box.Size[q]));
-    }
-  }
-  std::vector<bool> copy(pack.Size(), false);
-  if (std::find(outside.begin(), outside.end(), true) == outside.end())
-  {
-    return copy;
-  }
-  SpherePack wrapped = pack;
-  WrapIntoBox(wrapped, box);
-  const CellList cells(
-    wrapped, box, tolerance * *std::max_element(box.Size.begin(), box.Size.end()));
-  cells.ForEachPair(
-    [&](std::size_t p, std::size_t q, double, double, double, double)
-    {
-      if (outside[p] != outside[q] &&
-        std::abs(pack.Radius[p] - pack.Radius[q]) <= tolerance * pack.Radius[p])
-      {
-        copy[outside[p] ? p : q] = true;
-      }
-    });
-  return copy;
 }
 }

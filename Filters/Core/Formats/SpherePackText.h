@@ -49,11 +49,4 @@ struct SpherePackText
  * not UTF-8.
  */
 SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettings& settings);
-
-/**
- * Which spheres are mere periodic copies of another: outside the half-open box along a periodic
- * axis, with a sphere of the same radius inside at the same place, one or more edges away (to 1e-5
- * of an edge, as text has few digits).
- */
-std::vector<bool> FindPeriodicCopies(const SpherePack& pack, const Window& box);
 }

@@ -9,48 +9,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace ruc
 {
 namespace
 {
-// x, y, z, radius, mode
-constexpr std::size_t NumbersPerSphere = 5;
-
-void AppendNumbers(const SpherePack& pack, std::size_t i, std::vector<double>& numbers)
-{
-  numbers.insert(numbers.end(),
-    { pack.X[i], pack.Y[i], pack.Z[i], pack.Radius[i], pack.Mode.empty() ? 0.0 : pack.Mode[i] });
-}
-
 // Every sphere to the rank whose region holds its centre
 SpherePack ExchangeSpheres(SpherePack piece, std::int64_t total, Communicator& ranks)
 {
   const RegionTree regions(piece, total, ranks);
-  const bool withModes = !piece.Mode.empty();
-  std::vector<std::vector<double>> outgoing(ranks.Size());
+  std::vector<SpherePack> outgoing(ranks.Size());
   for (std::size_t i = 0; i < piece.Size(); ++i)
   {
-    AppendNumbers(piece, i, outgoing[regions.OwnerOf(piece.Centre(i))]);
+    outgoing[regions.OwnerOf(piece.Centre(i))].Append(piece, i);
   }
-  std::int64_t modesGiven = withModes;
-  ranks.Sum(&modesGiven, 1); // a rank without spheres cannot tell
   piece = {};
   SpherePack own;
-  for (const std::vector<double>& numbers : ranks.AllToAll(std::move(outgoing)))
+  for (SpherePack& part : ranks.AllToAll(std::move(outgoing)))
   {
-    for (std::size_t n = 0; n < numbers.size(); n += NumbersPerSphere)
-    {
-      own.X.push_back(numbers[n]);
-      own.Y.push_back(numbers[n + 1]);
-      own.Z.push_back(numbers[n + 2]);
-      own.Radius.push_back(numbers[n + 3]);
-      if (modesGiven > 0)
-      {
-        own.Mode.push_back(static_cast<int>(numbers[n + 4]));
-      }
-    }
+    own.Append(std::exchange(part, {}));
   }
   std::int64_t arrived = static_cast<std::int64_t>(own.Size());
   ranks.Sum(&arrived, 1);
@@ -107,28 +87,18 @@ double PackTotals::MeanDiameter() const
   return 2.0 * std::cbrt(volume / SphereVolume(1.0) / this->NumberOfSpheres);
 }
 
-PackShare SharePack(SpherePack piece, const Window& window, bool withModes, Communicator& ranks)
+PackShare SharePack(CheckedPiece piece, Communicator& ranks)
 {
   PackShare share;
-  share.Observed = window;
-  share.NumberOfSpheres = static_cast<std::int64_t>(piece.Size());
-  ranks.Sum(&share.NumberOfSpheres, 1);
-  if (share.NumberOfSpheres == 0)
-  {
-    throw std::invalid_argument(NoSpheres);
-  }
-  ranks.ThrowIfAny(FindFaultySphere(piece, withModes, share.NumberOfSpheres));
-  ranks.ThrowIfAny(FindNarrowEdge(piece, window));
-
-  std::int64_t outside = 0;
-  const std::string example = FindOutside(piece, window, outside);
-  ranks.Sum(&outside, 1);
-  ranks.ThrowIfAny(
-    example.empty() ? example : OutsideMessage(window, outside, share.NumberOfSpheres, example));
+  const Window& window = share.Observed = piece.Observed();
+  share.NumberOfSpheres = piece.NumberOfSpheres();
+  const bool withModes = piece.WithModes();
+  share.Own = piece.Take();
+  ranks.ThrowIfAny(FindNarrowEdge(share.Own, window));
 
   // Equal centres meet on one rank
-  WrapIntoBox(piece, window);
-  share.Own = std::move(piece);
+  share.Own.Id.clear();
+  WrapIntoBox(share.Own, window);
   if (ranks.Size() > 1)
   {
     share.Own = ExchangeSpheres(std::move(share.Own), share.NumberOfSpheres, ranks);
@@ -143,9 +113,37 @@ PackShare SharePack(SpherePack piece, const Window& window, bool withModes, Comm
   return share;
 }
 
+PackShare SharePack(SpherePack piece, const Window& window, bool withModes, Communicator& ranks)
+{
+  return SharePack(CheckedPiece(std::move(piece), window, withModes, ranks), ranks);
+}
+
 PackShare SharePack(SpherePack pack, const Window& window)
 {
   Communicator serial;
   return SharePack(std::move(pack), window, true, serial);
+}
+
+SpherePack GatherPack(CheckedPiece checked, Communicator& ranks)
+{
+  constexpr std::int64_t none = -1;
+  SpherePack piece = checked.Take();
+  if (piece.Id.empty())
+  {
+    piece.Id.assign(piece.Size(), none);
+  }
+  SpherePack pack;
+  for (const SpherePack& part : ranks.AllGather(piece))
+  {
+    pack.Append(part);
+  }
+  SortCanonically(pack);
+  if (std::find(pack.Id.begin(), pack.Id.end(), none) != pack.Id.end())
+  {
+    std::iota(pack.Id.begin(), pack.Id.end(), 0);
+  }
+  ValidatePack(pack, checked.WithModes());
+  ValidateWindow(pack, checked.Observed());
+  return pack;
 }
 }

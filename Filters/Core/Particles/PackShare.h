@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ruc/Base/Communicator.h"
-#include "ruc/Particles/SpherePack.h"
+#include "ruc/Particles/CheckedPiece.h"
 
 #include <cstdint>
 #include <vector>
@@ -37,14 +37,24 @@ struct PackShare : PackTotals
 
 /**
  * Collective: shares a pack out by regions of space with about as many spheres each, from whatever
- * pieces the ranks hold. The result of anything summed over all shares does not depend on how.
+ * pieces the ranks hold. The result of anything summed over all shares does not depend on how. `Id`
+ * is left behind.
  *
- * `piece` is this rank's part, which may be empty; every centre lies in `window`. Throws
- * std::invalid_argument, the same on every rank, for a pack or a window that ValidatePack or
- * ValidateWindow would refuse.
+ * Throws std::invalid_argument, the same on every rank, for what only the whole pack can tell: a
+ * periodic edge that is too narrow, two spheres with one centre, a gap in the modes.
  */
+PackShare SharePack(CheckedPiece piece, Communicator& ranks);
+
+/** The same after the checks of CheckedPiece. */
 PackShare SharePack(SpherePack piece, const Window& window, bool withModes, Communicator& ranks);
 
 /** The same for one rank that holds all of a pack with modes. */
 PackShare SharePack(SpherePack pack, const Window& window);
+
+/**
+ * Collective: the whole pack on every rank, in canonical order (SortCanonically), with `Id`, or the
+ * place in that order where a rank has none. For packs that are small, such as unit cells. Throws
+ * as SharePack does.
+ */
+SpherePack GatherPack(CheckedPiece piece, Communicator& ranks);
 }

@@ -6,14 +6,16 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <tuple>
+#include <utility>
 
 namespace ruc
 {
 namespace
 {
 using Edges = std::array<int, 3>;
-// edges along x, y, z; then x, y, z, radius, mode
-constexpr std::size_t NumbersPerSphere = 8;
+// Spheres to be displaced by the same edges
+using Halo = std::map<Edges, SpherePack>;
 // Slack for the rounding of a displacement: a pair at the very cut-off is not missed
 constexpr double Slack = 1.0 + 1e-12;
 
@@ -21,26 +23,40 @@ struct Bounds
 {
   Vector3 Low, High;
   bool Empty() const { return this->Low[0] > this->High[0]; }
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Low, self.High);
+  }
+};
+
+struct HaloPart
+{
+  Edges By;
+  SpherePack Pack;
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.By, self.Pack);
+  }
 };
 
 std::vector<Bounds> FindBounds(const SpherePack& own, Communicator& ranks)
 {
-  std::vector<double> numbers(6, std::numeric_limits<double>::infinity());
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Bounds bounds = { { infinity, infinity, infinity }, { -infinity, -infinity, -infinity } };
   for (std::size_t i = 0; i < own.Size(); ++i)
   {
     const Vector3 centre = own.Centre(i);
     for (int q = 0; q < 3; ++q)
     {
-      numbers[q] = std::min(numbers[q], centre[q]);
-      numbers[3 + q] = std::min(numbers[3 + q], -centre[q]);
+      bounds.Low[q] = std::min(bounds.Low[q], centre[q]);
+      bounds.High[q] = std::max(bounds.High[q], centre[q]);
     }
   }
-  std::vector<Bounds> bounds;
-  for (const std::vector<double>& n : ranks.AllGather(numbers))
-  {
-    bounds.push_back({ { n[0], n[1], n[2] }, { -n[3], -n[4], -n[5] } });
-  }
-  return bounds;
+  return ranks.AllGather(bounds);
 }
 
 // Calls visit(edges) for every displacement of `centre` by whole edges that brings it closer to
@@ -83,46 +99,55 @@ void ForEachImageNear(
   }
 }
 
+// The spheres of this rank in whose surroundings a rank's centres lie, with the pairs that are its
+Halo HaloOf(int rank, const PackShare& share, const Bounds& bounds, double cutoff, int own)
+{
+  const Edges none = { 0, 0, 0 };
+  Halo halo;
+  for (std::size_t i = 0; !bounds.Empty() && i < share.Own.Size(); ++i)
+  {
+    ForEachImageNear(share.Own.Centre(i), bounds, share.Observed, cutoff,
+      [&](const Edges& edges)
+      {
+        if (edges > none || (edges == none && rank < own))
+        {
+          halo[edges].Append(share.Own, i);
+        }
+      });
+  }
+  return halo;
+}
+
+// What the other ranks, and this one along periodic axes, have around this rank's centres
+Halo ExchangeHalos(const PackShare& share, double cutoff, Communicator& ranks)
+{
+  const std::vector<Bounds> bounds = FindBounds(share.Own, ranks);
+  std::vector<std::vector<HaloPart>> outgoing(ranks.Size());
+  for (int rank = 0; rank < ranks.Size(); ++rank)
+  {
+    for (auto& [edges, pack] : HaloOf(rank, share, bounds[rank], cutoff, ranks.Rank()))
+    {
+      outgoing[rank].push_back({ edges, std::move(pack) });
+    }
+  }
+  Halo halo;
+  for (std::vector<HaloPart>& parts : ranks.AllToAll(std::move(outgoing)))
+  {
+    for (HaloPart& part : parts)
+    {
+      halo[part.By].Append(std::exchange(part.Pack, {}));
+    }
+  }
+  return halo;
+}
+
 const Window Unbounded = Window::MakeBox({ 0, 0, 0 }, { 1, 1, 1 }, { false, false, false });
 }
 
 PairNeighbourhood::PairNeighbourhood(const PackShare& share, double cutoff, Communicator& ranks)
   : Cutoff(cutoff)
 {
-  const Edges none = { 0, 0, 0 };
-  const std::vector<Bounds> bounds = FindBounds(share.Own, ranks);
-  std::vector<std::vector<double>> outgoing(ranks.Size());
-  for (int rank = 0; rank < ranks.Size(); ++rank)
-  {
-    for (std::size_t i = 0; !bounds[rank].Empty() && i < share.Own.Size(); ++i)
-    {
-      ForEachImageNear(share.Own.Centre(i), bounds[rank], share.Observed, cutoff * Slack,
-        [&](const Edges& edges)
-        {
-          if (edges > none || (edges == none && rank < ranks.Rank()))
-          {
-            outgoing[rank].insert(outgoing[rank].end(),
-              { double(edges[0]), double(edges[1]), double(edges[2]), share.Own.X[i],
-                share.Own.Y[i], share.Own.Z[i], share.Own.Radius[i],
-                share.Own.Mode.empty() ? 0.0 : share.Own.Mode[i] });
-          }
-        });
-    }
-  }
-  std::map<Edges, SpherePack> halo;
-  for (std::vector<double>& numbers : ranks.AllToAll(std::move(outgoing)))
-  {
-    for (std::size_t n = 0; n < numbers.size(); n += NumbersPerSphere)
-    {
-      SpherePack& pack = halo[{ int(numbers[n]), int(numbers[n + 1]), int(numbers[n + 2]) }];
-      pack.X.push_back(numbers[n + 3]);
-      pack.Y.push_back(numbers[n + 4]);
-      pack.Z.push_back(numbers[n + 5]);
-      pack.Radius.push_back(numbers[n + 6]);
-      pack.Mode.push_back(static_cast<int>(numbers[n + 7]));
-    }
-    std::vector<double>().swap(numbers);
-  }
+  Halo halo = ExchangeHalos(share, cutoff * Slack, ranks);
   this->Parts.push_back({ share.Own, CellList(share.Own, Unbounded, cutoff), { 0.0, 0.0, 0.0 } });
   for (auto& [edges, pack] : halo)
   {

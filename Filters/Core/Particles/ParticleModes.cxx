@@ -3,6 +3,7 @@
 #include "ruc/Particles/ParticleModes.h"
 
 #include "ruc/Base/FixedPoint.h"
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Particles/SphereOverlap.h"
 
@@ -119,6 +120,84 @@ std::vector<double> SizeEdges(
     }
   }
 }
+
+void CheckSettings(const ModeSettings& settings)
+{
+  Require(settings.MinimumDiameter >= 0.0 && std::isfinite(settings.MinimumDiameter),
+    "MinimumDiameter", "a finite number >= 0", settings.MinimumDiameter);
+  const bool counted =
+    settings.Method == ModeMethod::EqualWidth || settings.Method == ModeMethod::EqualVolume;
+  Require(!counted || (settings.NumberOfModes >= 1 && settings.NumberOfModes <= MostModes),
+    "NumberOfModes", Text("1 <= NumberOfModes <= ", MostModes), settings.NumberOfModes);
+  Require(settings.Edges.size() <= MostModes + 1u, "Edges",
+    Text("at most ", MostModes + 1, " diameters"), settings.Edges.size());
+}
+
+std::vector<double> FindEdges(const std::vector<double>& diameters, const Extremes& all,
+  const ModeSettings& settings, Communicator& ranks)
+{
+  switch (settings.Method)
+  {
+    case ModeMethod::EqualWidth:
+      return EqualWidthEdges(all, settings.NumberOfModes);
+    case ModeMethod::EqualVolume:
+      return EqualVolumeEdges(diameters, settings.NumberOfModes, ranks);
+    case ModeMethod::ExplicitEdges:
+      return GivenEdges(all, settings.Edges);
+    case ModeMethod::OnePerSize:
+      break;
+  }
+  return SizeEdges(diameters, all, ranks);
+}
+
+// The modes between the edges, of which those without spheres are left out
+std::vector<ModeSummary> Summarise(const std::vector<double>& diameters,
+  const std::vector<double>& edges, double greatest, Communicator& ranks)
+{
+  // Of every mode: count, and sum of d^3 in units of the greatest in fixed point; the least and
+  // minus the greatest diameter
+  constexpr double scale = 0x1p50;
+  const std::size_t modes = edges.size() + 1;
+  std::vector<std::int64_t> sums(3 * modes, 0);
+  std::vector<double> extremes(2 * modes, INFINITY);
+  auto begin = diameters.begin();
+  for (std::size_t m = 0; m < modes; ++m)
+  {
+    const auto end =
+      m < edges.size() ? std::lower_bound(begin, diameters.end(), edges[m]) : diameters.end();
+    sums[3 * m] = end - begin;
+    for (auto d = begin; d != end; ++d)
+    {
+      const double ratio = *d / greatest;
+      AddWide(RoundToFixedPoint(scale * ratio * ratio * ratio), &sums[3 * m + 1]);
+    }
+    if (begin != end)
+    {
+      extremes[2 * m] = *begin;
+      extremes[2 * m + 1] = -*(end - 1);
+    }
+    begin = end;
+  }
+  ranks.Sum(sums.data(), sums.size());
+  ranks.Minimum(extremes.data(), extremes.size());
+  std::vector<ModeSummary> summaries;
+  for (std::size_t m = 0; m < modes; ++m)
+  {
+    if (sums[3 * m] == 0)
+    {
+      continue;
+    }
+    ModeSummary summary;
+    summary.Count = static_cast<std::size_t>(sums[3 * m]);
+    summary.MinimumDiameter = extremes[2 * m];
+    summary.MaximumDiameter = -extremes[2 * m + 1];
+    summary.Volume = SphereVolume(0.5 * greatest) * (WideValue(&sums[3 * m + 1]) / scale);
+    summary.VolumeMeanDiameter =
+      2.0 * std::cbrt(summary.Volume / summary.Count / SphereVolume(1.0));
+    summaries.push_back(summary);
+  }
+  return summaries;
+}
 }
 
 ParticleModes::ParticleModes(std::vector<double> diameters, const ModeSettings& settings)
@@ -131,23 +210,7 @@ ParticleModes::ParticleModes(
   std::vector<double> diameters, const ModeSettings& settings, Communicator& ranks)
   : MinimumDiameter(settings.MinimumDiameter)
 {
-  if (!(settings.MinimumDiameter >= 0.0 && std::isfinite(settings.MinimumDiameter)))
-  {
-    throw std::invalid_argument(
-      Text("MinimumDiameter requires a finite number >= 0, got ", settings.MinimumDiameter, "."));
-  }
-  const bool counted =
-    settings.Method == ModeMethod::EqualWidth || settings.Method == ModeMethod::EqualVolume;
-  if (counted && (settings.NumberOfModes < 1 || settings.NumberOfModes > MostModes))
-  {
-    throw std::invalid_argument(Text("NumberOfModes requires 1 <= NumberOfModes <= ", MostModes,
-      ", got ", settings.NumberOfModes, "."));
-  }
-  if (settings.Edges.size() > MostModes + 1u)
-  {
-    throw std::invalid_argument(Text(
-      "Edges requires at most ", MostModes + 1, " diameters, got ", settings.Edges.size(), "."));
-  }
+  CheckSettings(settings);
   const double largest = std::max(FindExtremes(diameters, ranks).Greatest, 0.0);
   diameters.erase(std::remove_if(diameters.begin(), diameters.end(),
                     [&](double d) { return d < this->MinimumDiameter; }),
@@ -160,56 +223,11 @@ ParticleModes::ParticleModes(
         settings.MinimumDiameter, " with diameters up to ", largest, "."));
   }
   std::sort(diameters.begin(), diameters.end());
-  std::vector<double> edges = settings.Method == ModeMethod::EqualWidth
-    ? EqualWidthEdges(all, settings.NumberOfModes)
-    : settings.Method == ModeMethod::EqualVolume
-    ? EqualVolumeEdges(diameters, settings.NumberOfModes, ranks)
-    : settings.Method == ModeMethod::ExplicitEdges ? GivenEdges(all, settings.Edges)
-                                                   : SizeEdges(diameters, all, ranks);
-  edges.push_back(INFINITY);
-
-  // Of every mode: count, and sum of d^3 in units of the greatest in fixed point; the least and
-  // minus the greatest diameter
-  constexpr double scale = 0x1p50;
-  std::vector<std::int64_t> sums(3 * edges.size(), 0);
-  std::vector<double> extremes(2 * edges.size(), INFINITY);
-  auto begin = diameters.begin();
-  for (std::size_t m = 0; m < edges.size(); ++m)
+  this->Summaries =
+    Summarise(diameters, FindEdges(diameters, all, settings, ranks), all.Greatest, ranks);
+  for (std::size_t m = 1; m < this->Summaries.size(); ++m)
   {
-    const auto end = std::lower_bound(begin, diameters.end(), edges[m]);
-    sums[3 * m] = end - begin;
-    for (auto d = begin; d != end; ++d)
-    {
-      const double ratio = *d / all.Greatest;
-      AddWide(RoundToFixedPoint(scale * ratio * ratio * ratio), &sums[3 * m + 1]);
-    }
-    if (begin != end)
-    {
-      extremes[2 * m] = *begin;
-      extremes[2 * m + 1] = -*(end - 1);
-    }
-    begin = end;
-  }
-  ranks.Sum(sums.data(), sums.size());
-  ranks.Minimum(extremes.data(), extremes.size());
-  for (std::size_t m = 0; m < edges.size(); ++m)
-  {
-    if (sums[3 * m] == 0)
-    {
-      continue; // an empty mode
-    }
-    ModeSummary summary;
-    summary.Count = static_cast<std::size_t>(sums[3 * m]);
-    summary.MinimumDiameter = extremes[2 * m];
-    summary.MaximumDiameter = -extremes[2 * m + 1];
-    summary.Volume = SphereVolume(0.5 * all.Greatest) * (WideValue(&sums[3 * m + 1]) / scale);
-    summary.VolumeMeanDiameter =
-      2.0 * std::cbrt(summary.Volume / summary.Count / SphereVolume(1.0));
-    if (!this->Summaries.empty())
-    {
-      this->LowerEdges.push_back(summary.MinimumDiameter);
-    }
-    this->Summaries.push_back(summary);
+    this->LowerEdges.push_back(this->Summaries[m].MinimumDiameter);
   }
 }
 

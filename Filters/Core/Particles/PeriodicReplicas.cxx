@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Particles/PeriodicReplicas.h"
 
+#include "ruc/Particles/CellList.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace ruc
 {
@@ -78,5 +81,49 @@ Vector3 CentreOf(const Replica& replica, const SpherePack& pack, const Window& b
     centre[q] += replica.Image[q] * box.Size[q];
   }
   return centre;
+}
+
+namespace
+{
+// Whether each sphere lies outside the half-open box along a periodic axis
+std::vector<bool> FindBeyond(const SpherePack& pack, const Window& box)
+{
+  std::vector<bool> beyond(pack.Size(), false);
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    for (int q = 0; q < 3; ++q)
+    {
+      const double c = pack.Centre(i)[q];
+      beyond[i] =
+        beyond[i] || (box.Periodic[q] && !(c >= box.Origin[q] && c < box.Origin[q] + box.Size[q]));
+    }
+  }
+  return beyond;
+}
+}
+
+std::vector<bool> FindPeriodicCopies(const SpherePack& pack, const Window& box)
+{
+  constexpr double tolerance = 1e-5;
+  const std::vector<bool> outside = FindBeyond(pack, box);
+  std::vector<bool> copy(pack.Size(), false);
+  if (std::find(outside.begin(), outside.end(), true) == outside.end())
+  {
+    return copy;
+  }
+  SpherePack wrapped = pack;
+  WrapIntoBox(wrapped, box);
+  const CellList cells(
+    wrapped, box, tolerance * *std::max_element(box.Size.begin(), box.Size.end()));
+  cells.ForEachPair(
+    [&](std::size_t p, std::size_t q, double, double, double, double)
+    {
+      if (outside[p] != outside[q] &&
+        std::abs(pack.Radius[p] - pack.Radius[q]) <= tolerance * pack.Radius[p])
+      {
+        copy[outside[p] ? p : q] = true;
+      }
+    });
+  return copy;
 }
 }

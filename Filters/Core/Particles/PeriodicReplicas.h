@@ -31,4 +31,11 @@ std::vector<Replica> Tiling(const SpherePack& pack, const std::array<int, 3>& ti
 
 /** The centre of a replica. */
 Vector3 CentreOf(const Replica& replica, const SpherePack& pack, const Window& box);
+
+/**
+ * Which spheres are mere periodic copies of another: outside the half-open box along a periodic
+ * axis, with a sphere of the same radius inside at the same place, one or more edges away (to 1e-5
+ * of an edge, as text has few digits).
+ */
+std::vector<bool> FindPeriodicCopies(const SpherePack& pack, const Window& box);
 }

@@ -59,6 +59,18 @@ void SpherePack::Append(const SpherePack& other, std::size_t i)
   }
 }
 
+void SpherePack::Append(const SpherePack& other)
+{
+  const auto append = [](auto& values, const auto& others)
+  { values.insert(values.end(), others.begin(), others.end()); };
+  append(this->X, other.X);
+  append(this->Y, other.Y);
+  append(this->Z, other.Z);
+  append(this->Radius, other.Radius);
+  append(this->Mode, other.Mode);
+  append(this->Id, other.Id);
+}
+
 void SortCanonically(SpherePack& pack)
 {
   const auto key = [&](std::size_t i)

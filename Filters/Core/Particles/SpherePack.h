@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace ruc
@@ -27,7 +28,15 @@ struct SpherePack
   double LargestRadius() const;
   /** Appends the i-th sphere of another pack. */
   void Append(const SpherePack& other, std::size_t i);
+  /** Appends all spheres of another pack. */
+  void Append(const SpherePack& other);
   Vector3 Centre(std::size_t i) const { return { this->X[i], this->Y[i], this->Z[i] }; }
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.X, self.Y, self.Z, self.Radius, self.Mode, self.Id);
+  }
 };
 
 /**

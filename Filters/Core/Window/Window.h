@@ -6,6 +6,7 @@
 
 #include <array>
 #include <string>
+#include <tuple>
 
 namespace ruc
 {
@@ -21,6 +22,7 @@ public:
     Box,
     Cylinder
   };
+  friend constexpr int CountOf(Shape) { return 2; }
 
   /**
    * A box from `origin` to `origin + size`.
@@ -86,6 +88,14 @@ public:
   Vector3 Axis{};
   double Radius = 0.0;
   double Height = 0.0;
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.WindowShape, self.Origin, self.Size, self.Periodic, self.Base, self.Axis,
+      self.Radius, self.Height);
+  }
+  bool operator==(const Window& other) const { return Fields(*this) == Fields(other); }
 
 private:
   Shape WindowShape = Shape::Box;

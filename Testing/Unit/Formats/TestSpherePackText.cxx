@@ -199,38 +199,3 @@ TEST(SpherePackText, AppendTakesTheLineAlong)
   EXPECT_EQ(other.Pack.Centre(0), (ruc::Vector3{ 4, 5, 6 }));
   EXPECT_EQ(other.Pack.Id, (std::vector<std::int64_t>{ 6 }));
 }
-
-TEST(SpherePackText, PeriodicCopiesAreFound)
-{
-  const ruc::Window box = ruc::Window::MakeBox({ -1, 0, 0 }, { 10, 10, 10 }, { true, true, false });
-  struct Row
-  {
-    double X, Y, Z, Radius;
-    bool Copy;
-  };
-  const std::vector<Row> rows = {
-    { 8.5, 5, 5, 1, false }, { -1.5, 5, 5, 1, true }, // through the lower face x = -1
-    { -1.0, 2, 5, 1, false }, { 9.0, 2, 5, 1, true }, // on the face itself: the box is half open
-    { 0.0, 0.5, 5, 1, false },
-    { 10.00003, 10.49998, 5, 1, true }, // through an edge, with the digits a text has
-    { 0.0, 10.5, 5, 1, true }, { 5, 12, 3, 1, false }, // outside, but no original
-    { 3, 3, 3, 1, false }, { 13, 3, 3, 1.5, false },   // another radius
-    { 3, 6, 3, 1, false }, { 13.01, 6, 3, 1, false },  // another place
-    { 5, 5, 1, 1, false }, { 5, 5, 11, 1, false },     // z is not periodic
-    { 6, 7, 8, 1, false }, { 26, -13, 8, 1, true },    // several edges away
-  };
-  ruc::SpherePack pack;
-  std::vector<bool> expected;
-  for (const Row& row : rows)
-  {
-    pack.X.push_back(row.X);
-    pack.Y.push_back(row.Y);
-    pack.Z.push_back(row.Z);
-    pack.Radius.push_back(row.Radius);
-    expected.push_back(row.Copy);
-  }
-  EXPECT_EQ(ruc::FindPeriodicCopies(pack, box), expected);
-  const ruc::Window closed =
-    ruc::Window::MakeBox({ -1, 0, 0 }, { 10, 10, 10 }, { false, false, false });
-  EXPECT_EQ(ruc::FindPeriodicCopies(pack, closed), std::vector<bool>(rows.size(), false));
-}

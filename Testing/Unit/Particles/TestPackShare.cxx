@@ -216,3 +216,69 @@ TEST(PackShare, BadInputIsRefusedOnEveryRank)
   bad.Radius[3] = 5.0;
   refuses(bad, box, "longer than the largest sphere's diameter, 10");
 }
+
+TEST(GatherPack, GivesTheWholePackInOneOrderToEveryRank)
+{
+  const Window box = oracle::PeriodicCube(10.0);
+  SpherePack pack = oracle::RandomPack({ 20, 30 }, { 0.2, 0.1 }, box, 6);
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    pack.Id.push_back(static_cast<std::int64_t>(1000 + i));
+  }
+  SpherePack expected = pack;
+  ruc::SortCanonically(expected);
+  for (int size : { 1, 3 })
+  {
+    for (bool withId : { true, false })
+    {
+      oracle::ThreadRanks::Run(size,
+        [&](ruc::Communicator& ranks)
+        {
+          SpherePack piece = oracle::PieceOf(pack, ranks.Rank(), size, false);
+          if (!withId && ranks.Rank() == size - 1)
+          {
+            piece.Id.clear();
+          }
+          const SpherePack whole =
+            ruc::GatherPack(ruc::CheckedPiece(std::move(piece), box, true, ranks), ranks);
+          EXPECT_EQ(whole.X, expected.X);
+          EXPECT_EQ(whole.Radius, expected.Radius);
+          EXPECT_EQ(whole.Mode, expected.Mode);
+          std::vector<std::int64_t> places(whole.Size());
+          std::iota(places.begin(), places.end(), 0);
+          EXPECT_EQ(whole.Id, withId ? expected.Id : places);
+        });
+    }
+  }
+}
+
+TEST(CheckedPiece, LeavesOutOrRefusesWhatLiesOutsideOnAnyRank)
+{
+  const SpherePack pack = oracle::RandomPack({ 40 }, { 0.2 }, oracle::PeriodicCube(10.0), 7);
+  const Window half = Window::MakeBox({ 0, 0, 0 }, { 10, 10, 5 }, { false, false, false });
+  const Window beyond = Window::MakeBox({ 0, 0, 20 }, { 10, 10, 5 }, { false, false, false });
+  const auto inside = static_cast<std::int64_t>(ruc::CropToWindow(pack, half).Size());
+  for (int size : { 1, 3 })
+  {
+    oracle::ThreadRanks::Run(size,
+      [&](ruc::Communicator& ranks)
+      {
+        const auto check = [&](const Window& window, bool crop)
+        {
+          return ruc::CheckedPiece(
+            oracle::PieceOf(pack, ranks.Rank(), size, false), true,
+            [&](const SpherePack&) { return window; }, crop, ranks);
+        };
+        EXPECT_EQ(check(half, true).NumberOfSpheres(), inside);
+        EXPECT_SAYS(check(half, false), ruc::Text(40 - inside, " of 40 outside"));
+        EXPECT_SAYS(check(beyond, true), "at least one centre inside, got none");
+        EXPECT_SAYS(ruc::CheckedPiece(SpherePack(), half, true, ranks), "at least one sphere");
+        SpherePack faulty = oracle::PieceOf(pack, ranks.Rank(), size, true);
+        if (!faulty.Empty())
+        {
+          faulty.Radius[0] = -1.0;
+        }
+        EXPECT_SAYS(ruc::CheckedPiece(faulty, half, true, ranks), "finite values > 0, got -1");
+      });
+  }
+}

@@ -33,17 +33,10 @@ std::vector<SphereType> FindTypes(const SpherePack& own, Communicator& ranks)
   {
     types.insert({ own.Mode[i], own.Radius[i] });
   }
-  std::vector<double> numbers;
-  for (const SphereType& type : types)
+  for (const SphereType& type :
+    ranks.Concatenate(std::vector<SphereType>(types.begin(), types.end())))
   {
-    numbers.insert(numbers.end(), { double(type.Mode), type.Radius });
-  }
-  for (const std::vector<double>& others : ranks.AllGather(numbers))
-  {
-    for (std::size_t n = 0; n < others.size(); n += 2)
-    {
-      types.insert({ static_cast<int>(others[n]), others[n + 1] });
-    }
+    types.insert(type);
   }
   return { types.begin(), types.end() };
 }

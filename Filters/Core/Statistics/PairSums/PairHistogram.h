@@ -16,6 +16,12 @@ struct SphereType
   int Mode;
   double Radius;
 
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Mode, self.Radius);
+  }
+
   bool operator<(const SphereType& other) const
   {
     return this->Mode != other.Mode ? this->Mode < other.Mode : this->Radius < other.Radius;

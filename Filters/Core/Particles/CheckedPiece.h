@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Base/Communicator.h"
+#include "ruc/Particles/SpherePack.h"
+
+#include <cstdint>
+#include <functional>
+
+namespace ruc
+{
+/**
+ * One rank's piece of a pack, which may be empty, after every check that needs no other rank's
+ * spheres: the pack has spheres, their numbers are in range, and their centres lie in the window.
+ * Whoever takes one need not check that again.
+ */
+class CheckedPiece
+{
+public:
+  /** Finds the window of the whole pack from this rank's spheres, whose numbers were checked. It is
+   * called on all ranks together and throws on all or on none. */
+  using WindowFinder = std::function<Window(const SpherePack& piece)>;
+
+  /**
+   * Collective. `Mode` is checked only `withModes`. With `crop`, spheres with centres outside the
+   * window are left out, else they are an error. Throws std::invalid_argument, the same on every
+   * rank.
+   */
+  CheckedPiece(SpherePack piece, bool withModes, const WindowFinder& findWindow, bool crop,
+    Communicator& ranks);
+
+  /** The same with a window that is known. */
+  CheckedPiece(SpherePack piece, const Window& window, bool withModes, Communicator& ranks);
+
+  const SpherePack& Spheres() const { return this->Piece; }
+  /** The spheres, which leave this object. */
+  SpherePack Take() { return std::move(this->Piece); }
+  const Window& Observed() const { return this->ObservedIn; }
+  /** On all ranks together. */
+  std::int64_t NumberOfSpheres() const { return this->Total; }
+  bool WithModes() const { return this->Modes; }
+
+private:
+  void Count(Communicator& ranks);
+
+  SpherePack Piece;
+  Window ObservedIn;
+  std::int64_t Total = 0;
+  bool Modes;
+};
+}
