@@ -7,7 +7,6 @@ import sys
 
 from paraview import servermanager
 from paraview.simple import *
-from paraview.vtk.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter, vtkXMLPolyDataWriter
@@ -75,7 +74,7 @@ def collection(number):
     path = os.path.join(folder, 'parts_%d.vtpc' % number)
     with open(path, 'w') as out:
         out.write(text + '</vtkPartitionedDataSetCollection></VTKFile>')
-    return XMLPartitionedDataSetCollectionReader(FileName=[path])
+    return XMLPartitionedDatasetCollectionReader(FileName=[path])
 
 
 def single(name, data):
@@ -86,10 +85,11 @@ def grouped(number):
     return GroupDatasets(Input=[single('group_%d_%d.vtp' % (number, n), block) for n, block in enumerate(blocks(number))])
 
 
-def columns(source):
-    table = servermanager.Fetch(source)
+def columns(source, port=0):
+    table = servermanager.Fetch(source, idx=port)
     assert table.GetClassName() == 'vtkTable', table.GetClassName()
-    return {table.GetColumnName(c): vtk_to_numpy(table.GetColumn(c)).tolist() for c in range(table.GetNumberOfColumns())}
+    return {table.GetColumnName(c): [table.GetColumn(c).GetValue(row) for row in range(table.GetNumberOfRows())]
+            for c in range(table.GetNumberOfColumns())}
 
 
 def centres(source):
@@ -101,7 +101,7 @@ def centres(source):
 def measure(source):
     modes = ParticleModes(Input=source, NumberOfModes=2)
     cell = UnitCellReconstruction(Input=modes, NumberOfParticles=42, NumberOfLags=20, MaximumIterations=3)
-    numbers = [centres(modes), columns(OutputPort(modes, 1)), columns(OnePointProbability(Input=modes)),
+    numbers = [centres(modes), columns(modes, 1), columns(OnePointProbability(Input=modes)),
                columns(TwoPointProbability(Input=modes, MaximumLag=3, NumberOfLags=12)),
                centres(PeriodicReplicas(Input=source)), centres(cell)]
     assert len(numbers[0]) == len(spheres) and len(numbers[5]) == 42
@@ -111,8 +111,8 @@ def measure(source):
 expected = measure(single('whole.vtp', piece(spheres)))
 fraction = sum(4 / 3 * math.pi * sphere[3] ** 3 for sphere in spheres) / box ** 3
 assert abs(sum(expected[1]['VolumeFraction']) - fraction) < 1e-12
-for make in (multiblock, collection, grouped):
-    for number in (1, 2, 5):
+for make, numbers in ((multiblock, (1, 5)), (collection, (3,)), (grouped, (2,))):
+    for number in numbers:
         assert measure(make(number)) == expected, (make.__name__, number)
     print(make.__name__, 'passed', flush=True)
 
@@ -127,7 +127,9 @@ if ranks == 1:
     for source in (group, whole):
         probability = TwoPointProbability(Input=source, MaximumLag=3, NumberOfLags=12)
         source.UpdatePipeline()
-        times.append(probability.SMProxy.GetClientSideObject().GetEstimatedTime())
+        probability.UpdateVTKObjects()
+        probability.SMProxy.UpdatePropertyInformation()
+        times.append(probability.GetProperty('EstimatedTime')[0])
     assert times[0] > 0 and abs(times[0] / times[1] - 1) < 1e-9, times
 
 # Duplicate points (1) and hidden ones (2) are no spheres; other marks (8) say nothing of them
