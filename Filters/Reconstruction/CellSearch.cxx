@@ -63,90 +63,6 @@ CellSearch::FoundCell NewCell(int number, const ruc::TwoPointProbability& target
   return { number, { {}, ruc::Window(), 0.0, 0.0, {}, 0, ruc::EndReason::None, none, {} }, {}, {} };
 }
 
-// The reason that one rank knows, the others having none
-ruc::EndReason Agree(ruc::EndReason own, RankCommunicator& ranks)
-{
-  auto number = static_cast<std::int64_t>(own);
-  ranks.Sum(&number, 1);
-  return static_cast<ruc::EndReason>(number);
-}
-
-// All that Find returns of a cell as numbers, but EndedBy and what follows from the contents
-class Numbers
-{
-public:
-  std::vector<double> Values;
-
-  // Either appends a value, or takes the next one
-  template <class Number>
-  void Pass(Number& value)
-  {
-    if (this->Taking)
-    {
-      value = static_cast<Number>(this->Values[this->Next++]);
-    }
-    else
-    {
-      this->Values.push_back(static_cast<double>(value));
-    }
-  }
-  void Pass(ruc::ObjectiveRange& range)
-  {
-    this->Pass(range.Minimum);
-    this->Pass(range.Mean);
-    this->Pass(range.Maximum);
-  }
-  void Pass(std::vector<double>& values)
-  {
-    auto size = static_cast<double>(values.size());
-    this->Pass(size);
-    values.resize(static_cast<std::size_t>(size));
-    for (double& value : values)
-    {
-      this->Pass(value);
-    }
-  }
-  void Pass(std::vector<ruc::SearchState>& states)
-  {
-    auto size = static_cast<double>(states.size());
-    this->Pass(size);
-    states.resize(static_cast<std::size_t>(size));
-    for (ruc::SearchState& state : states)
-    {
-      auto phase = static_cast<int>(state.Phase);
-      this->Pass(phase);
-      state.Phase = static_cast<ruc::SearchPhase>(phase);
-      this->Pass(state.Iteration);
-      this->Pass(state.Objective);
-      this->Pass(state.OverlapPercent);
-    }
-  }
-  void Pass(CellSearch::FoundCell& found, std::vector<double>& centres)
-  {
-    ruc::UnitCell& cell = found.Cell;
-    this->Pass(found.Before);
-    this->Pass(found.After);
-    this->Pass(centres);
-    this->Pass(cell.Objective);
-    this->Pass(cell.StartObjective);
-    this->Pass(cell.Overlap.Percent);
-    this->Pass(cell.Overlap.Pairs);
-    this->Pass(cell.Overlap.Deepest);
-    this->Pass(cell.Iterations);
-    this->Pass(cell.Convergence);
-    this->Pass(cell.Probability.Fractions);
-    for (std::vector<double>& values : cell.Probability.Values)
-    {
-      this->Pass(values);
-    }
-  }
-  void Take() { this->Taking = true; }
-
-private:
-  bool Taking = false;
-  std::size_t Next = 0;
-};
-
 template <class Method>
 class Searches
 {
@@ -284,7 +200,8 @@ private:
     const bool stopped = search.Found.Cell.EndedBy == ruc::EndReason::Stopped;
     if (stopped)
     {
-      search.Found.Cell.EndedBy = Agree(reason, *search.Group);
+      search.Group->Broadcast(reason, 0);
+      search.Found.Cell.EndedBy = reason;
     }
     return stopped;
   }
@@ -305,29 +222,14 @@ private:
     std::vector<CellSearch::FoundCell> all;
     for (int number = 0; number < this->Settings.NumberOfCells; ++number)
     {
-      Search& search = this->Rounds[number / this->Ranks.Size()];
-      Search* own = search.Number == number && search.Group->Rank() == 0 ? &search : nullptr;
-      const ruc::EndReason endedBy =
-        Agree(own && own->Begun ? own->Found.Cell.EndedBy : ruc::EndReason::None, this->Ranks);
-      if (endedBy == ruc::EndReason::None) // not begun
+      const Search& search = this->Rounds[number / this->Ranks.Size()];
+      const bool own = search.Number == number && search.Group->Rank() == 0 && search.Begun;
+      const int rank = this->Ranks.LowestRank(own);
+      if (rank < this->Ranks.Size()) // else not begun
       {
-        continue;
+        all.push_back(search.Found);
+        this->Ranks.Broadcast(all.back(), rank);
       }
-      Numbers numbers;
-      std::vector<double> centres;
-      if (own)
-      {
-        centres = ruc::CentresOf(own->Found.Cell.Pack);
-        numbers.Pass(own->Found, centres);
-      }
-      this->Ranks.Broadcast(numbers.Values, this->Ranks.LowestRank(own));
-      numbers.Take();
-      CellSearch::FoundCell found = NewCell(number, this->Target);
-      numbers.Pass(found, centres);
-      found.Cell.Pack = this->Contents.MakePack(centres.data());
-      found.Cell.Box = this->Contents.MakeBox();
-      found.Cell.EndedBy = endedBy;
-      all.push_back(std::move(found));
     }
     return all;
   }

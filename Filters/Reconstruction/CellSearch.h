@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 class RankCommunicator;
@@ -60,6 +61,12 @@ struct FoundCell
   ruc::UnitCell Cell;
   // F2 of the population before and after; of a gradient search that of the start and of the cell
   ruc::ObjectiveRange Before, After;
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Number, self.Cell, self.Before, self.After);
+  }
 };
 
 /** The place of the cell with the least F2, among those without overlap if there are any. */

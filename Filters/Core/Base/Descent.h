@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <tuple>
 #include <vector>
 
 namespace ruc
@@ -17,6 +18,13 @@ struct DescentState
   /** The last steps and the changes of the gradient over them, oldest first, that approximate the
    * Hessian. */
   std::vector<std::vector<double>> Steps, GradientChanges;
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(
+      self.Place, self.Gradient, self.Value, self.Iterations, self.Steps, self.GradientChanges);
+  }
 };
 
 /** How a descent is done. */

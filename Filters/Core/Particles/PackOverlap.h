@@ -6,6 +6,7 @@
 #include "ruc/Particles/PackShare.h"
 
 #include <cstdint>
+#include <tuple>
 
 namespace ruc
 {
@@ -21,6 +22,12 @@ struct PackOverlap
 
   /** Every pair has d >= (a + b)(1 - 1e-12). */
   bool IsNone() const { return this->Deepest <= 1e-12; }
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Percent, self.Pairs, self.Deepest);
+  }
 };
 
 PackOverlap MeasureOverlap(const SpherePack& pack, const Window& window);

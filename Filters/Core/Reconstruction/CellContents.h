@@ -4,6 +4,7 @@
 
 #include "ruc/Particles/PackShare.h"
 
+#include <tuple>
 #include <vector>
 
 namespace ruc
@@ -47,6 +48,12 @@ struct CellContents
   /** The spheres in the order of the modes, first all of mode 1, with these centres (x, y, z of
    * each, anywhere in space) wrapped into the box. */
   SpherePack MakePack(const double* centres) const;
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Count, self.Radius, self.Edge);
+  }
 };
 
 /**

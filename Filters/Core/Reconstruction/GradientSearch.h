@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <tuple>
 #include <vector>
 
 namespace ruc
@@ -55,6 +56,13 @@ struct GradientState
   double Tried = 0.0; // F2 at which a cell was last freed from overlap
   bool Converged = false;
   std::vector<SearchState> Convergence;
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Descent, self.Best, self.StartObjective, self.Kept, self.Tried,
+      self.Converged, self.Convergence);
+  }
 };
 
 /**

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 namespace ruc
 {
@@ -16,8 +17,7 @@ namespace ruc
  *
  * Format, version 1, all numbers little-endian as the machine has them: the text "RUCSTATE",
  * version (32 bits), length of what follows without the checksum (64), the four fingerprints (64
- * each), the state, FNV-1a-64 of everything before (64). Text and vectors are preceded by their
- * length (64).
+ * each), the state as Base/Bytes.h writes it, FNV-1a-64 of everything before (64).
  */
 
 /**
@@ -31,6 +31,12 @@ struct SearchKey
   std::uint64_t Contents = 0; // of the cell
   std::uint64_t Target = 0;   // S_rs and lags
   std::uint64_t Settings = 0; // seed included
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Method, self.Contents, self.Target, self.Settings);
+  }
 };
 
 SearchKey MakeKey(const CellContents& contents, const TwoPointProbability& target,
@@ -43,8 +49,9 @@ std::string WriteCheckpoint(const PopulationState& state, const SearchKey& key);
 
 /**
  * Reads what WriteCheckpoint wrote. Throws std::invalid_argument that says what is wrong with the
- * bytes: they are no checkpoint, of another version, truncated, damaged, or of another search, and
- * then in what it differs: method, contents, target or settings.
+ * bytes: they are no checkpoint, of another version, truncated, damaged, holding a value that
+ * cannot be, or of another search, and then in what it differs: method, contents, target or
+ * settings.
  */
 GradientState ReadGradientCheckpoint(std::string_view bytes, const SearchKey& key);
 PopulationState ReadPopulationCheckpoint(std::string_view bytes, const SearchKey& key);

@@ -14,8 +14,8 @@ constexpr const char* PhaseNames[] = { "removing overlap", "minimising F2",
 constexpr const char* ReasonNames[] = { "", "Target objective", "Maximum iterations", "Converged",
   "Stopped", "Time limit", "Stop file", "Abort", "Stop button" };
 
-static_assert(std::size(PhaseNames) == static_cast<std::size_t>(SearchPhase::Number));
-static_assert(std::size(ReasonNames) == static_cast<std::size_t>(EndReason::Number));
+static_assert(std::size(PhaseNames) == CountOf(SearchPhase()));
+static_assert(std::size(ReasonNames) == CountOf(EndReason()));
 }
 
 const char* NameOf(SearchPhase phase)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 
 namespace ruc
 {
@@ -11,9 +12,12 @@ enum class SearchPhase : std::uint8_t
 {
   RemovingOverlap,
   MinimisingObjective,
-  AnnealingPopulation,
-  Number // of the phases above
+  AnnealingPopulation
 };
+constexpr int CountOf(SearchPhase)
+{
+  return 3;
+}
 
 /**
  * Why a search ended. The reasons after Converged come from outside; a search itself knows only
@@ -29,9 +33,12 @@ enum class EndReason : std::uint8_t
   TimeLimit,
   StopFile,
   Abort,
-  StopButton,
-  Number // of the reasons above
+  StopButton
 };
+constexpr int CountOf(EndReason)
+{
+  return 9;
+}
 
 /** The name that users see, such as "minimising F2". */
 const char* NameOf(SearchPhase phase);
@@ -52,5 +59,11 @@ struct SearchState
   int Iteration = 0;      // or generation
   double Objective = 0.0; // F2
   double OverlapPercent = 0.0;
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Phase, self.Iteration, self.Objective, self.OverlapPercent);
+  }
 };
 }

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <tuple>
 #include <vector>
 
 namespace ruc
@@ -29,6 +30,13 @@ struct UnitCell
   /** Of every iteration; the last is the cell returned. Of a gradient search 0 is the random start
    * and 1 has its overlap removed; of a population 0 is the best of the first. */
   std::vector<SearchState> Convergence;
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Pack, self.Box, self.Objective, self.StartObjective, self.Overlap,
+      self.Iterations, self.EndedBy, self.Probability, self.Convergence);
+  }
 };
 
 /**

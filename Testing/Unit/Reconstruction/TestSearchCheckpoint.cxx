@@ -88,6 +88,18 @@ PopulationState SmallState()
 
 const SearchKey SmallKey = { 2, 11, 12, 13 };
 
+// FNV-1a-64 as published, of all but the last eight bytes
+std::uint64_t Checksum(const std::string& bytes)
+{
+  std::uint64_t hash = 14695981039346656037u;
+  for (std::size_t n = 0; n + 8 < bytes.size(); ++n)
+  {
+    hash ^= static_cast<unsigned char>(bytes[n]);
+    hash *= 1099511628211u;
+  }
+  return hash;
+}
+
 std::string Refusal(std::string_view bytes, const SearchKey& key = SmallKey)
 {
   return oracle::MessageOf([&]() { ruc::ReadPopulationCheckpoint(bytes, key); });
@@ -134,15 +146,8 @@ TEST(SearchCheckpoint, StartsAsTheHeaderSays)
   EXPECT_EQ(length, bytes.size() - 28);
   std::memcpy(&key, &bytes[28], 8);
   EXPECT_EQ(key, SmallKey.Contents);
-  // FNV-1a-64 as published
-  std::uint64_t hash = 14695981039346656037u;
-  for (std::size_t n = 0; n + 8 < bytes.size(); ++n)
-  {
-    hash ^= static_cast<unsigned char>(bytes[n]);
-    hash *= 1099511628211u;
-  }
   std::memcpy(&checksum, &bytes[bytes.size() - 8], 8);
-  EXPECT_EQ(checksum, hash);
+  EXPECT_EQ(checksum, Checksum(bytes));
 }
 
 TEST(SearchCheckpoint, EveryTruncatedLengthIsRefused)
@@ -176,6 +181,37 @@ TEST(SearchCheckpoint, EveryFlippedBitIsRefused)
         EXPECT_NE(message.find("damaged"), std::string::npos) << n << ": " << message;
       }
     }
+  }
+}
+
+TEST(SearchCheckpoint, AValueThatCannotBeIsRefused)
+{
+  // A byte that is forged together with the checksum; of two states that differ in it alone
+  const auto forge = [](const std::string& a, const std::string& b, char value)
+  {
+    const std::size_t place = std::mismatch(a.begin(), a.end(), b.begin()).first - a.begin();
+    std::string forged = a;
+    forged[place] = value;
+    const std::uint64_t hash = Checksum(forged);
+    std::memcpy(&forged[forged.size() - 8], &hash, 8);
+    return forged;
+  };
+  const char* cannotBe = "The checkpoint is damaged: it holds a value that cannot be.";
+  const SearchKey key = { 1, 11, 12, 13 };
+  GradientState state, converged;
+  converged.Converged = true;
+  const std::string a = ruc::WriteCheckpoint(state, key), b = ruc::WriteCheckpoint(converged, key);
+  EXPECT_TRUE(ruc::ReadGradientCheckpoint(forge(a, b, 1), key).Converged);
+  EXPECT_SAYS(ruc::ReadGradientCheckpoint(forge(a, b, 2), key), cannotBe);
+
+  PopulationState other = SmallState();
+  other.Convergence[0].Phase = ruc::SearchPhase::RemovingOverlap;
+  const std::string c = ruc::WriteCheckpoint(SmallState(), SmallKey),
+                    d = ruc::WriteCheckpoint(other, SmallKey);
+  EXPECT_EQ(Refusal(forge(c, d, 2)), "<no exception>");
+  for (int phase : { 3, 255 })
+  {
+    EXPECT_EQ(Refusal(forge(c, d, static_cast<char>(phase))), cannotBe);
   }
 }
 

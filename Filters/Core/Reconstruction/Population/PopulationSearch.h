@@ -10,6 +10,7 @@
 #include "ruc/Statistics/Results/TwoPointProbability.h"
 
 #include <functional>
+#include <tuple>
 #include <vector>
 
 namespace ruc
@@ -18,6 +19,12 @@ namespace ruc
 struct ObjectiveRange
 {
   double Minimum = 0.0, Mean = 0.0, Maximum = 0.0;
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Minimum, self.Mean, self.Maximum);
+  }
 };
 
 /** All of a search between two generations: it resumes from it to the same end, bit by bit. */
@@ -37,6 +44,13 @@ struct PopulationState
 
   /** Equation (15). */
   std::vector<double> Fitness(double halfOverlap) const;
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Generation, self.Centres, self.Objective, self.OverlapPercent, self.First,
+      self.Temperature, self.Stagnation, self.Convergence, self.Descending, self.Descent);
+  }
 };
 
 struct PopulationResult
