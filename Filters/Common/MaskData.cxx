@@ -92,7 +92,7 @@ Slab LocalSlab(vtkImageData* image, const std::string& name, int label)
   for (std::size_t v = 0; v < voxels; ++v)
   {
     const double value = array->GetTuple1(static_cast<vtkIdType>(v));
-    slab.Inside[v] = label == 0 ? value != 0.0 : value == label;
+    slab.Inside[v] = label == 0 ? value != 0.0 && !std::isnan(value) : value == label;
   }
   return slab;
 }

@@ -106,6 +106,17 @@ std::string FindFaultySphere(const SpherePack& pack, bool withModes, std::int64_
       return Text("Array 'Radius' requires finite values > 0, got ", pack.Radius[i], " for ",
         At(pack, i), ".");
     }
+    if (pack.Radius[i] < LeastLength || pack.Radius[i] > GreatestLength)
+    {
+      return Text("Array 'Radius' requires values from ", LeastLength, " to ", GreatestLength,
+        ", got ", pack.Radius[i], " for ", At(pack, i), "; try another unit.");
+    }
+    if (std::abs(pack.X[i]) > GreatestLength || std::abs(pack.Y[i]) > GreatestLength ||
+      std::abs(pack.Z[i]) > GreatestLength)
+    {
+      return Text("Points require coordinates of at most ", GreatestLength, ", got ", At(pack, i),
+        "; try another unit.");
+    }
     // More modes than spheres cannot be without a gap; this also keeps a wild value from sizing the
     // table of modes
     if (withModes && (pack.Mode[i] < 1 || pack.Mode[i] > total))

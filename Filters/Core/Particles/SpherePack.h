@@ -47,7 +47,8 @@ void SortCanonically(SpherePack& pack);
 
 /**
  * What every estimator asks of its input. Throws std::invalid_argument that says which sphere fails
- * and how: at least one sphere, finite centres, finite radii > 0, no two spheres with one centre (a
+ * and how: at least one sphere, finite centres, finite radii > 0, both of the range of lengths that
+ * Window.h tells, no two spheres with one centre (a
  * canonically sorted pack is needed to notice), modes 1…N_p without a gap when `withModes`.
  */
 void ValidatePack(const SpherePack& pack, bool withModes);
@@ -62,8 +63,8 @@ void ValidateWindow(const SpherePack& pack, const Window& window);
 // The single checks, for packs that are spread over ranks. Each returns a message, or an empty text
 // where nothing is wrong.
 extern const char* const NoSpheres;
-/** Numbers and, when `withModes`, modes out of range in a pack that is part of one of `total`
- * spheres. */
+/** Numbers that are not finite or not of the range LeastLength to GreatestLength and, when
+ * `withModes`, modes out of range in a pack that is part of one of `total` spheres. */
 std::string FindFaultySphere(const SpherePack& pack, bool withModes, std::int64_t total);
 /** Two spheres with one centre in a pack in canonical order, wrapped into the window. */
 std::string FindCoincidence(const SpherePack& pack, const Window& window);

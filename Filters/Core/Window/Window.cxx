@@ -26,6 +26,28 @@ void RequireFinite(const char* name, const Vector3& v)
   }
 }
 
+void RequirePlace(const char* name, const Vector3& place)
+{
+  RequireFinite(name, place);
+  for (double c : place)
+  {
+    if (std::abs(c) > GreatestLength)
+    {
+      throw std::invalid_argument(Text(name, " requires three numbers of at most ", GreatestLength,
+        ", got ", place[0], " ", place[1], " ", place[2], "."));
+    }
+  }
+}
+
+void RequireLength(const char* name, double value)
+{
+  if (!(value >= LeastLength && value <= GreatestLength))
+  {
+    throw std::invalid_argument(Text(name, " requires a length from ", LeastLength, " to ",
+      GreatestLength, ", got ", value, "; try another unit."));
+  }
+}
+
 void RequirePositive(const char* name, double value)
 {
   if (!(value > 0.0 && std::isfinite(value)))
@@ -53,7 +75,7 @@ void RequireMargin(double margin)
 Window Window::MakeBox(
   const Vector3& origin, const Vector3& size, const std::array<bool, 3>& periodic)
 {
-  RequireFinite("BoxOrigin", origin);
+  RequirePlace("BoxOrigin", origin);
   for (double edge : size)
   {
     if (!(edge > 0.0 && std::isfinite(edge)))
@@ -61,6 +83,7 @@ Window Window::MakeBox(
       throw std::invalid_argument(Text(
         "BoxSize requires three finite edges > 0, got ", size[0], " ", size[1], " ", size[2], "."));
     }
+    RequireLength("BoxSize", edge);
   }
   Window window;
   window.WindowShape = Shape::Box;
@@ -72,10 +95,12 @@ Window Window::MakeBox(
 
 Window Window::MakeCylinder(const Vector3& base, const Vector3& axis, double radius, double height)
 {
-  RequireFinite("CylinderBase", base);
+  RequirePlace("CylinderBase", base);
   RequireFinite("CylinderAxis", axis);
   RequirePositive("CylinderRadius", radius);
   RequirePositive("CylinderHeight", height);
+  RequireLength("CylinderRadius", radius);
+  RequireLength("CylinderHeight", height);
   const double length = std::hypot(axis[0], axis[1], axis[2]);
   if (!(length > 0.0))
   {

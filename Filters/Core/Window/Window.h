@@ -11,6 +11,13 @@
 namespace ruc
 {
 /**
+ * Lengths that are taken, radii, edges and the magnitude of coordinates: with them volumes, and the
+ * ratios and products of two volumes, neither overflow nor vanish.
+ */
+constexpr double LeastLength = 1e-50;
+constexpr double GreatestLength = 1e50;
+
+/**
  * The region in which the centres of a pack were observed: a box, each axis of which may be
  * periodic, or a circular cylinder of any axis direction. Lengths are in the unit of the pack.
  */

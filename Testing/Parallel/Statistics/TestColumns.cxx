@@ -97,6 +97,40 @@ TEST(Columns, ThreePointChecksHaveAnErrorWhereItIsAskedFor)
   EXPECT_EQ(columns(true), (Names{ "Triple", "Place", "Limit", "Difference", "StandardError" }));
 }
 
+// Voxels whose value is not a number, as resampling leaves them, are outside
+TEST(Columns, FractionsOfAMaskWithNumbersInPart)
+{
+  const auto fractions = [](double outside)
+  {
+    vtkNew<vtkRUCOnePointProbability> filter;
+    filter->SetInputData(MakePolyData(FewSizes(), Edge, false, IsMine));
+    filter->SetMethod(vtkRUCOnePointProbability::CHORD_SAMPLING);
+    filter->SetNumberOfLines(2000);
+    const auto mask = MakeMask(Edge, Rank(), NumberOfRanks());
+    vtkNew<vtkDoubleArray> values;
+    values->DeepCopy(mask->GetPointData()->GetArray("label"));
+    values->SetName("value");
+    for (vtkIdType n = 0; n < values->GetNumberOfValues(); ++n)
+    {
+      values->SetValue(n, values->GetValue(n) == 0.0 ? outside : values->GetValue(n));
+    }
+    mask->GetPointData()->RemoveArray("label");
+    mask->GetPointData()->AddArray(values);
+    filter->SetInputDataObject(1, mask);
+    filter->Update();
+    std::vector<double> found;
+    vtkTable* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(0));
+    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+    {
+      found.push_back(table->GetValueByName(row, "VolumeFraction").ToDouble());
+    }
+    return found;
+  };
+  const std::vector<double> expected = fractions(0.0);
+  EXPECT_EQ(expected.size(), Rank() == 0 ? 4u : 0u);
+  EXPECT_EQ(fractions(std::nan("")), expected);
+}
+
 // 282 modes have that many pairs of phases. VTK's own way looks through all the columns for every
 // one that is added, here for some minutes.
 TEST(Columns, ManyTakeNoLongerEach)

@@ -52,6 +52,19 @@ TEST(SpherePack, AGoodPackPasses)
   EXPECT_EQ(SpherePack().NumberOfModes(), 0);
 }
 
+TEST(SpherePack, LengthsWhoseVolumesAreNoNumbersAreRefused)
+{
+  for (double bad : { 1e-150, 9e-51, 1.1e50, 1e150 })
+  {
+    ExpectPart(PackMessage([&](SpherePack& p) { p.Radius[1] = bad; }),
+      "'Radius' requires values from 1e-50 to 1e+50, got ");
+  }
+  ExpectPart(PackMessage([&](SpherePack& p) { p.X[2] = -1e300; }),
+    "Points require coordinates of at most 1e+50, got the sphere at (-1e+300, 1, 1)");
+  ExpectPart(PackMessage([&](SpherePack& p) { p.Y[0] = 1.1e50; }), "coordinates of at most 1e+50");
+  ExpectPart(PackMessage([&](SpherePack& p) { p.Z[0] = 1.1e50; }), "coordinates of at most 1e+50");
+}
+
 TEST(SpherePack, ValidationNamesTheSphere)
 {
   EXPECT_SAYS(ruc::ValidatePack(SpherePack(), false), "at least one sphere");

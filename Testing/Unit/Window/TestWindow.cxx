@@ -165,3 +165,26 @@ TEST(Window, BadInputIsNamed)
   EXPECT_SAYS(Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, 1, -2), "CylinderHeight");
   EXPECT_SAYS(Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, 1, NaN), "CylinderHeight");
 }
+
+TEST(Window, LengthsWhoseVolumesAreNoNumbersAreRefused)
+{
+  const std::array<bool, 3> none = { false, false, false };
+  for (double bad : { 1e-150, 9e-51, 1.1e50, 1e150 })
+  {
+    EXPECT_SAYS(Window::MakeBox({ 0, 0, 0 }, { 1, bad, 1 }, none),
+      "BoxSize requires a length from 1e-50 to 1e+50, got ");
+    EXPECT_SAYS(Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, bad, 1),
+      "CylinderRadius requires a length from 1e-50 to 1e+50");
+    EXPECT_SAYS(Window::MakeCylinder({ 0, 0, 0 }, { 0, 0, 1 }, 1, bad),
+      "CylinderHeight requires a length from 1e-50 to 1e+50");
+  }
+  EXPECT_SAYS(Window::MakeBox({ 0, -1e60, 0 }, { 1, 1, 1 }, none),
+    "BoxOrigin requires three numbers of at most 1e+50");
+  EXPECT_SAYS(Window::MakeCylinder({ 1e60, 0, 0 }, { 0, 0, 1 }, 1, 1),
+    "CylinderBase requires three numbers of at most 1e+50");
+  for (double edge : { ruc::LeastLength, ruc::GreatestLength })
+  {
+    const double volume = Window::MakeBox({ 0, 0, 0 }, { edge, edge, edge }, none).Volume();
+    EXPECT_TRUE(std::isnormal(volume * volume) && std::isnormal(1.0 / (volume * volume)));
+  }
+}

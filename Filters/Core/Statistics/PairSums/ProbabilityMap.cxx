@@ -191,7 +191,8 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
   {
     throw std::invalid_argument(Text("Spacing requires a finite number > 0, got ", spacing, "."));
   }
-  LagLimit::ForMap(share.Observed, share.LargestRadius).Check(reach);
+  const LagLimit limit = LagLimit::ForMap(share.Observed, share.LargestRadius);
+  limit.Check(reach);
   const double most = std::floor(0.5 * (std::cbrt(MostNumbers / pairs.size()) - 1.0));
   const double half = std::floor(reach / spacing * (1.0 + 1e-12));
   if (half > most)
@@ -199,6 +200,7 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
     throw std::invalid_argument(Text("Resolution requires at most ", most, " for ", pairs.size(),
       " pairs of phases, got ", half, "."));
   }
+  limit.CheckSpacing(spacing);
 }
 
 // How often the overlap of two spheres, of modes from 1, counts in every image

@@ -45,7 +45,8 @@ struct ProbabilityMap
  * Collective; the result is equal, bit by bit, on every rank and for any number of ranks and
  * threads. `progress` is told the share that is done, on the calling thread.
  * Throws std::invalid_argument, the same on every rank, for pairs of phases that do not exist or
- * none, spacing or reach that are not finite and > 0, a reach above LagLimit::ForMap, and for more
+ * none, spacing or reach that are not finite and > 0, a reach above LagLimit::ForMap or a
+ * spacing below its, and for more
  * than 5e7 numbers (voxels x pairs).
  */
 ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int, 2>>& pairs,

@@ -24,7 +24,7 @@ RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGr
 {
   const int modes = share.NumberOfModes();
   CheckNumberOfLags(modes, lags);
-  LagLimit::ForDistances(share.Observed, lags.Count).Check(lags.Maximum());
+  LagLimit::ForDistances(share.Observed, lags.Count).Check(lags);
   const std::size_t bins = static_cast<std::size_t>(lags.Count) + 1;
   const std::vector<double> unset(bins, std::numeric_limits<double>::quiet_NaN());
   RadialDistribution result{ lags, modes, {}, unset };

@@ -14,6 +14,7 @@ namespace
 {
 constexpr double PeriodicEdges = 4.0;
 constexpr double ShareOfLength = 0.999;
+constexpr double FinestSpacing = 1e-9; // of the shortest edge
 
 double LargestPairLag(const Window& window, double largestRadius)
 {
@@ -59,9 +60,10 @@ std::string DescribeLack(const Window& window, double largestRadius)
 }
 }
 
-LagLimit::LagLimit(double automatic, double largest, std::string where)
+LagLimit::LagLimit(double automatic, double largest, double shortestEdge, std::string where)
   : Automatic(std::min(automatic, largest))
   , Largest(largest)
+  , Finest(FinestSpacing * shortestEdge)
   , Where(std::move(where))
 {
 }
@@ -69,15 +71,17 @@ LagLimit::LagLimit(double automatic, double largest, std::string where)
 LagLimit LagLimit::ForPairSum(const Window& window, double largestRadius)
 {
   LagLimit limit(0.5 * window.ShortestEdge(), LargestPairLag(window, largestRadius),
-    DescribePack(window, largestRadius));
+    window.ShortestEdge(), DescribePack(window, largestRadius));
   limit.Lack = DescribeLack(window, largestRadius);
   return limit;
 }
 
 LagLimit LagLimit::ForMap(const Window& window, double largestRadius, double lag)
 {
-  LagLimit limit(lag, LargestReach(window, largestRadius), DescribePack(window, largestRadius));
+  LagLimit limit(lag, LargestReach(window, largestRadius), window.ShortestEdge(),
+    DescribePack(window, largestRadius));
   limit.Required = "Spacing x Resolution requires a length > 0 and <= ";
+  limit.SpacingName = "Spacing";
   limit.Lack = DescribeLack(window, largestRadius);
   return limit;
 }
@@ -86,24 +90,25 @@ LagLimit LagLimit::ForDistances(const Window& window, int numberOfLags)
 {
   // r_K + Spacing / 2 = r_K (1 + 1 / 2K) is the last distance
   return { 0.5 * window.ShortestEdge(), LargestPairLag(window, 0.0) / (1.0 + 0.5 / numberOfLags),
+    window.ShortestEdge(),
     Text(" for distances of centres in this ", window.Describe(), " in ", numberOfLags, " bins") };
 }
 
 LagLimit LagLimit::ForSampling(const Window& window, const Window& sampled)
 {
-  return { 0.5 * window.ShortestEdge(), LargestSampledLag(sampled) };
+  return { 0.5 * window.ShortestEdge(), LargestSampledLag(sampled), window.ShortestEdge() };
 }
 
 LagLimit LagLimit::ForFans(const Window& window, const Window& sampled)
 {
   const bool periodic = sampled.IsFullyPeriodic();
   return { (periodic ? 0.5 : 0.25) * window.ShortestEdge(),
-    LargestSampledLag(sampled) * (periodic ? 1.0 : 0.5) };
+    LargestSampledLag(sampled) * (periodic ? 1.0 : 0.5), window.ShortestEdge() };
 }
 
 LagLimit LagLimit::ForCell(double edge)
 {
-  return { 0.5 * edge, std::numeric_limits<double>::infinity() };
+  return { 0.5 * edge, 2.0 * edge, edge, Text(" for a cell of edge ", edge) };
 }
 
 LagGrid LagLimit::MakeGrid(double maximum, int numberOfLags) const
@@ -131,6 +136,21 @@ void LagLimit::Check(double maximum) const
     throw std::invalid_argument(
       Text(this->Required, this->Largest, this->Where, ", got ", maximum, "."));
   }
+}
+
+void LagLimit::CheckSpacing(double spacing) const
+{
+  if (!(spacing >= this->Finest))
+  {
+    throw std::invalid_argument(Text(
+      this->SpacingName, " requires at least ", this->Finest, this->Where, ", got ", spacing, "."));
+  }
+}
+
+void LagLimit::Check(const LagGrid& lags) const
+{
+  this->Check(lags.Maximum());
+  this->CheckSpacing(lags.Spacing);
 }
 
 void LagLimit::RequireRoom() const

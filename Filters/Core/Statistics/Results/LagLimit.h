@@ -49,8 +49,9 @@ public:
   /** Fans, which reach to both sides: without periodic axes half of what there is for lines. */
   static LagLimit ForFans(const Window& window, const Window& sampled);
 
-  /** The S_rs that a periodic cell of this edge is to have. Automatic: half the edge. The largest
-   * lag is that of the pack. */
+  /** The S_rs that a periodic cell of this edge is to have. Largest lag: two edges, beyond which
+   * the cell is compared with its own copies alone, and no more than that of the pack. Automatic:
+   * half the edge. */
   static LagLimit ForCell(double edge);
 
   /** What a maximum lag of 0 stands for; never more than Largest. */
@@ -67,13 +68,23 @@ public:
   /** Throws std::invalid_argument unless 0 < maximum <= Largest (1 + 1e-12). */
   void Check(double maximum) const;
 
+  /** Throws std::invalid_argument unless lags that are `spacing` apart differ: by 1e-9 of the
+   * shortest edge. Lags that lie closer are lost in the rounding of distances. */
+  void CheckSpacing(double spacing) const;
+
+  /** Both. */
+  void Check(const LagGrid& lags) const;
+
 private:
-  LagLimit(double automatic, double largest, std::string where = {});
+  LagLimit(double automatic, double largest, double shortestEdge, std::string where = {});
   void RequireRoom() const;
+
+  double Finest; // spacing of lags
 
   // For messages: what is asked, for what window, and what is wrong where there is no room for a
   // lag
   std::string Required = "MaximumLag requires 0 < MaximumLag <= ";
+  std::string SpacingName = "MaximumLag / NumberOfLags";
   std::string Where;
   std::string Lack;
 };

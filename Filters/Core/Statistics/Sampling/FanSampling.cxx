@@ -237,7 +237,7 @@ void CheckFans(
     "NumberOfDirections requires a number from 2 to 512", grid.Directions);
   require(grid.Lags.Count >= 1 && grid.Lags.Count <= MostFanLags,
     "NumberOfLags requires a number from 1 to 20000", grid.Lags.Count);
-  LagLimit::ForFans(region.GetShape(), region.GetShape()).Check(grid.Lags.Maximum());
+  LagLimit::ForFans(region.GetShape(), region.GetShape()).Check(grid.Lags);
 }
 
 ThreePointProbability SampleFans(const SpherePack& own, int modes, const SamplingRegion& region,

@@ -256,7 +256,7 @@ void CheckSampling(const SamplingSettings& settings, const SampleNames& names, i
   }
   if (lags.Count > 0)
   {
-    LagLimit::ForSampling(region.GetShape(), region.GetShape()).Check(lags.Maximum());
+    LagLimit::ForSampling(region.GetShape(), region.GetShape()).Check(lags);
   }
 }
 

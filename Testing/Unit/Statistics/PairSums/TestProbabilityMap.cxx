@@ -226,6 +226,7 @@ TEST(ProbabilityMap, BadInputIsRefused)
   EXPECT_SAYS(Map(pack, box, AllPairs, 0.5, std::nan("")), "Spacing x Resolution requires");
   EXPECT_SAYS(Map(pack, box, { { 2, 2 } }, 0.01, 2.0),
     "Resolution requires at most 183 for 1 pairs of phases");
+  EXPECT_SAYS(Map(pack, box, { { 2, 2 } }, 1e-300, 5e-299), "Spacing requires at least");
   EXPECT_SAYS(Map(pack, box, { { 2, 2 } }, 1e-300, 2.0),
     "Resolution requires at most 183 for 1 pairs of phases");
   const Window narrow = Window::MakeCylinder({ 5, 5, 0 }, { 0, 0, 1 }, 0.8, 10.0);

@@ -78,6 +78,26 @@ TEST(LagLimit, ChecksSayWhatIsAllowed)
     LagLimit::ForDistances(Open, 5).Check(10.0), "for distances of centres in this box window");
 }
 
+TEST(LagLimit, LagsThatRoundingWouldMixAreRefused)
+{
+  const LagLimit limit = LagLimit::ForPairSum(Periodic, 1.0);
+  EXPECT_NO_THROW(limit.Check(ruc::LagGrid{ 1.1e-8, 277 }));
+  EXPECT_SAYS(limit.Check(ruc::LagGrid{ 0.9e-8, 277 }),
+    "MaximumLag / NumberOfLags requires at least 1e-08 for this periodic box");
+  EXPECT_SAYS(limit.Check(ruc::LagGrid{ 1e-300, 10 }), "got 1e-300");
+  EXPECT_SAYS(LagLimit::ForMap(Open, 1.0).CheckSpacing(1e-300), "Spacing requires at least 1e-08");
+  EXPECT_SAYS(LagLimit::ForSampling(Open, Open).Check(ruc::LagGrid{ 1e-300, 10 }), "at least");
+  EXPECT_SAYS(LagLimit::ForFans(Open, Open).Check(ruc::LagGrid{ 1e-300, 10 }), "at least");
+  EXPECT_SAYS(LagLimit::ForDistances(Open, 5).Check(ruc::LagGrid{ 1e-300, 10 }), "at least");
+}
+
+TEST(LagLimit, OfACellIsTwoOfItsEdges)
+{
+  EXPECT_NO_THROW(LagLimit::ForCell(184.0).Check(ruc::LagGrid{ 3.67, 100 }));
+  EXPECT_SAYS(LagLimit::ForCell(184.0).Check(ruc::LagGrid{ 5.0, 100 }),
+    "MaximumLag requires 0 < MaximumLag <= 368 for a cell of edge 184, got 500.");
+}
+
 TEST(LagLimit, ReachIsWhatTheWindowAllows)
 {
   const std::vector<Window> windows = {
