@@ -12,6 +12,9 @@ namespace ruc
 {
 namespace
 {
+// Of the bounds; below that attempts to meet the region by chance become long
+constexpr double SparseShare = 1e-3;
+
 std::uint64_t Attempt(std::uint32_t sample, std::uint64_t attempt)
 {
   return sample + (attempt << 32);
@@ -22,6 +25,16 @@ Vector3 IsotropicDirection(double u, double v)
   const double z = 2.0 * u - 1.0;
   const double lateral = std::sqrt(std::max(1.0 - z * z, 0.0));
   return { lateral * std::cos(2.0 * Pi * v), lateral * std::sin(2.0 * Pi * v), z };
+}
+
+// Two directions across d of the same length; the first from the axis that is furthest from along d
+void FindAcross(const Vector3& d, Vector3& a, Vector3& b)
+{
+  const double x = std::abs(d[0]), y = std::abs(d[1]), z = std::abs(d[2]);
+  a = x <= y && x <= z ? Vector3{ 0.0, -d[2], d[1] }
+    : y <= z           ? Vector3{ d[2], 0.0, -d[0] }
+                       : Vector3{ -d[1], d[0], 0.0 };
+  b = { d[1] * a[2] - d[2] * a[1], d[2] * a[0] - d[0] * a[2], d[0] * a[1] - d[1] * a[0] };
 }
 
 // Narrows [begin, end] to the t with low <= position + t slope <= high
@@ -49,6 +62,7 @@ SamplingRegion::SamplingRegion(const Window& window, double margin)
       this->Centre[q] = this->Shape.Base[q] + 0.5 * this->Shape.Height * this->Shape.Axis[q];
     }
     this->Radius = std::hypot(this->Shape.Radius, 0.5 * this->Shape.Height);
+    this->Sparse = this->Shape.Volume() < SparseShare * this->Bounds.Volume();
     return;
   }
   this->EncloseBounds();
@@ -60,6 +74,15 @@ SamplingRegion::SamplingRegion(const VoxelMask& mask, double margin)
   this->Shape = this->Mask->GetBounds();
   this->Bounds = this->Shape;
   this->EncloseBounds();
+  this->Sparse = this->Mask->Volume() < SparseShare * this->Bounds.Volume();
+  const std::vector<std::uint8_t>& inside = this->Mask->GetInside();
+  for (std::size_t voxel = 0; this->Sparse && voxel < inside.size(); ++voxel)
+  {
+    if (inside[voxel])
+    {
+      this->Voxels.push_back(voxel);
+    }
+  }
 }
 
 void SamplingRegion::EncloseBounds()
@@ -82,15 +105,57 @@ double SamplingRegion::Volume() const
   return this->Mask ? this->Mask->Volume() : this->Shape.Volume();
 }
 
+Vector3 SamplingRegion::PointAt(const Vector3& u) const
+{
+  if (this->Sparse)
+  {
+    return this->Mask ? this->PointOfVoxels(u) : this->PointOfCylinder(u);
+  }
+  Vector3 point;
+  for (int q = 0; q < 3; ++q)
+  {
+    point[q] = this->Bounds.Origin[q] + u[q] * this->Bounds.Size[q];
+  }
+  return point;
+}
+
+Vector3 SamplingRegion::PointOfVoxels(const Vector3& u) const
+{
+  const double place = u[0] * this->Voxels.size();
+  const std::size_t number = std::min(static_cast<std::size_t>(place), this->Voxels.size() - 1);
+  const Vector3 within = { place - number, u[1], u[2] };
+  std::size_t voxel = this->Voxels[number];
+  Vector3 point;
+  for (int q = 0; q < 3; ++q)
+  {
+    const int count = this->Mask->GetDimensions()[q];
+    point[q] =
+      this->Mask->GetLower()[q] + (voxel % count + within[q]) * this->Mask->GetSpacing()[q];
+    voxel /= count;
+  }
+  return point;
+}
+
+Vector3 SamplingRegion::PointOfCylinder(const Vector3& u) const
+{
+  Vector3 a, b, point;
+  FindAcross(this->Shape.Axis, a, b);
+  const double lateral = this->Shape.Radius * std::sqrt(u[0]) / Length(a);
+  const double x = lateral * std::cos(2.0 * Pi * u[1]), y = lateral * std::sin(2.0 * Pi * u[1]);
+  const double along = u[2] * this->Shape.Height;
+  for (int q = 0; q < 3; ++q)
+  {
+    point[q] = this->Shape.Base[q] + along * this->Shape.Axis[q] + x * a[q] + y * b[q];
+  }
+  return point;
+}
+
 Vector3 SamplingRegion::RandomPoint(std::uint32_t seed, std::uint32_t sample) const
 {
   for (std::uint64_t attempt = 0;; ++attempt)
   {
-    Vector3 point = UniformTriple(seed, RandomStream::SamplePoint, Attempt(sample, attempt));
-    for (int q = 0; q < 3; ++q)
-    {
-      point[q] = this->Bounds.Origin[q] + point[q] * this->Bounds.Size[q];
-    }
+    const Vector3 point =
+      this->PointAt(UniformTriple(seed, RandomStream::SamplePoint, Attempt(sample, attempt)));
     if (this->Contains(point))
     {
       return point;
@@ -125,14 +190,9 @@ LineBundle SamplingRegion::ParallelLinesAlong(const Vector3& direction, std::uin
   {
     return this->PeriodicLines(direction, v, number, maximumLag);
   }
-  // Two directions across the lines; the first from the axis that is furthest from along them
   const Vector3& d = direction;
-  const double x = std::abs(d[0]), y = std::abs(d[1]), z = std::abs(d[2]);
-  const Vector3 a = x <= y && x <= z ? Vector3{ 0.0, -d[2], d[1] }
-    : y <= z                         ? Vector3{ d[2], 0.0, -d[0] }
-                                     : Vector3{ -d[1], d[0], 0.0 };
-  const Vector3 b = { d[1] * a[2] - d[2] * a[1], d[2] * a[0] - d[0] * a[2],
-    d[0] * a[1] - d[1] * a[0] };
+  Vector3 a, b;
+  FindAcross(d, a, b);
   const double spacing = this->GridSpacing(number);
   const double norm = std::hypot(a[0], a[1], a[2]);
   const double c = spacing * std::cos(2.0 * Pi * v[2]) / norm;

@@ -81,6 +81,11 @@ public:
   double MostLines(double number) const;
 
 private:
+  // A point of the bounds for three uniform numbers; of the region itself, but for rounding, where
+  // that fills little of its bounds
+  Vector3 PointAt(const Vector3& uniform) const;
+  Vector3 PointOfVoxels(const Vector3& uniform) const;
+  Vector3 PointOfCylinder(const Vector3& uniform) const;
   // Sets the bounding sphere to that of the bounds
   void EncloseBounds();
   // Projected, in the mean over directions, of a convex region; of a mask that of its bounds
@@ -93,7 +98,9 @@ private:
   Window Shape; // after the margin; of a mask its bounds
   std::optional<VoxelMask> Mask;
   Window Bounds;
-  Vector3 Centre{}; // of the bounding sphere
+  bool Sparse = false;             // fills little of its bounds
+  std::vector<std::size_t> Voxels; // inside a sparse mask
+  Vector3 Centre{};                // of the bounding sphere
   double Radius = 0.0;
 };
 }

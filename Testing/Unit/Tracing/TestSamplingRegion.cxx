@@ -299,3 +299,38 @@ TEST(SamplingRegion, PeriodicLinesPassThroughTheBoxOnceAndThenTheLag)
   ExpectMean(turn, 1.0 / 3.0);
   ExpectMean(same, 0.0);
 }
+
+// By chance one point in some ten million would meet them
+TEST(SamplingRegion, PointsOfARegionThatFillsLittleOfItsBounds)
+{
+  const int n = 200;
+  std::vector<std::uint8_t> inside(static_cast<std::size_t>(n) * n * n, 0);
+  inside.front() = inside[n / 2] = inside.back() = 1;
+  const SamplingRegion mask(VoxelMask({ n, n, n }, { 1, 2, 3 }, { 0.5, 0.25, 1.0 }, inside), 0.0);
+  Mean x, y, z, first;
+  const Window thin = Window::MakeCylinder({ 1, 2, 3 }, { 1, 1, 1 }, 1e-3, 10.0);
+  const SamplingRegion cylinder(thin, 0.0);
+  Mean along, square;
+  for (int sample = 0; sample < 20000; ++sample)
+  {
+    const Vector3 p = mask.RandomPoint(3, sample);
+    EXPECT_TRUE(mask.Contains(p));
+    first.Add(p[0] < 1.5);
+    x.Add((p[0] - 1.0) / 0.5 - std::floor((p[0] - 1.0) / 0.5));
+    y.Add((p[1] - 2.0) / 0.25 - std::floor((p[1] - 2.0) / 0.25));
+    z.Add(p[2] - std::floor(p[2]));
+
+    const Vector3 c = cylinder.RandomPoint(3, sample);
+    EXPECT_TRUE(thin.Contains(c));
+    const Vector3 d = { c[0] - 1.0, c[1] - 2.0, c[2] - 3.0 };
+    const double t = (d[0] + d[1] + d[2]) / std::sqrt(3.0);
+    along.Add(t);
+    square.Add((d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - t * t) * 1e6);
+  }
+  ExpectMean(first, 1.0 / 3.0); // one voxel of three
+  ExpectMean(x, 0.5);
+  ExpectMean(y, 0.5);
+  ExpectMean(z, 0.5);
+  ExpectMean(along, 5.0);
+  ExpectMean(square, 0.5); // of a disc of radius 1
+}

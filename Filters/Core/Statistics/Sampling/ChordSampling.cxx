@@ -16,6 +16,9 @@ namespace ruc
 namespace
 {
 constexpr SampleNames LineNames = { "NumberOfLines", "lines" };
+// Of the square grid around a region, many more than meet it where it is long and thin; each takes
+// 4 bytes
+constexpr double MostPlacesOfGrid = 2.5e7;
 // The closer the lines of a batch, the less they say for each; the fewer the batches, the less is
 // known of their scatter
 constexpr int LinesInAimedBatch = 512, MostLinesInBatch = 4096;
@@ -53,7 +56,7 @@ public:
     this->LinesInBatch =
       aimed ? linesInBatch : static_cast<double>(this->Settings.Samples) / batches;
     const double longest = this->Region.LongestLine(this->Lags.Maximum());
-    const double mostLines = this->Region.MostLines(this->LinesInBatch);
+    const double mostLines = this->CheckedMostLines();
     SampledSums sums(this->Modes, this->Lags, mostLines * longest);
     std::optional<ChordLengthSums> lengths;
     if (chordLengths)
@@ -80,6 +83,20 @@ public:
   }
 
 private:
+  double CheckedMostLines() const
+  {
+    const double most = this->Region.MostLines(this->LinesInBatch);
+    if (!(most <= MostPlacesOfGrid))
+    {
+      throw std::invalid_argument(Text("Chord Sampling requires a region whose lines lie in a grid "
+                                       "of at most ",
+        MostPlacesOfGrid, " places, got ", most, " for the ", this->Region.GetBounds().Describe(),
+        ", which is too long for its width. Set a window, or leave out centres that lie far from "
+        "the others."));
+    }
+    return most;
+  }
+
   // Lines much closer to each other than the spheres tell the same; more directions tell more.
   int UsefulLinesInBatch() const
   {

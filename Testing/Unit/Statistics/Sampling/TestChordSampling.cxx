@@ -367,3 +367,18 @@ TEST(ChordSampling, RefusesBadInputOnAllRanks)
         "Chord lengths require NumberOfLags >= 1, got 0.");
     });
 }
+
+// One centre far away from the others, so that the bounds of the centres are a rod: the square grid
+// around it has some 10^9 places for every 4096 lines
+TEST(ChordSampling, RefusesARegionThatIsTooLongForItsWidth)
+{
+  const Window rod = Window::MakeBox({ 0, 0, 0 }, { 1e7, 10.0, 10.0 }, { false, false, false });
+  SpherePack pack = oracle::RandomPack(
+    { 300 }, { 0.4 }, Window::MakeBox({ 0, 0, 0 }, { 10, 10, 10 }, { false, false, false }), 5);
+  pack.X[0] = 1e7 - 1.0;
+  EXPECT_SAYS(Chords(pack, 1, SamplingRegion(rod, 0.4), { 0.1, 10 }, 20000),
+    "Chord Sampling requires a region whose lines lie in a grid of at most 2.5e+07 places, got ");
+  const Window bar = Window::MakeBox({ 0, 0, 0 }, { 1e3, 10.0, 10.0 }, { false, false, false });
+  pack.X[0] = 999.0;
+  EXPECT_NO_THROW(Chords(pack, 1, SamplingRegion(bar, 0.4), { 0.1, 10 }, 2000));
+}
