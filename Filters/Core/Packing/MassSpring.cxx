@@ -133,7 +133,7 @@ private:
     this->Listed = this->Centres;
     this->Springs.clear();
     const SpherePack pack = this->Wrapped();
-    const CellList cells(pack, this->Box, Rest * 2.0 * pack.LargestRadius() + this->Skin);
+    const CellList cells(pack, this->Box, SizeClasses(pack.Radius, this->Skin, Rest));
     cells.ForEachPair(
       [&](std::uint32_t p, std::uint32_t q, double dx, double dy, double dz, double d2)
       {

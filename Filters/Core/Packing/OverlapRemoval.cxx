@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Packing/OverlapRemoval.h"
 
-#include "ruc/Base/Descent.h"
 #include "ruc/Base/Random.h"
+#include "ruc/Packing/Minimise.h"
 #include "ruc/Particles/Contacts.h"
 
 #include <algorithm>
@@ -64,28 +64,25 @@ void Shake(SpherePack& pack, const Window& box, std::uint32_t seed, std::uint32_
 bool PushApart(
   SpherePack& pack, const Window& box, double reach, const std::function<bool()>& carryOn)
 {
-  constexpr int MaximumIterations = 4000;
-  DescentState state;
-  state.Place = CentresOf(pack);
-  DescentSettings settings;
-  settings.FirstStep = pack.LargestRadius(); // of all spheres together
+  std::vector<double> centres = CentresOf(pack);
   bool free = false, stopped = false;
-  Descend(
-    state, settings,
-    [&](const double* place, double* gradient, double& value)
+  MinimiserSettings settings;
+  settings.MaximumIterations = 4000;
+  Minimise(
+    centres, settings,
+    [&](const double* place, double* gradient)
     {
       SetCentres(pack, box, place);
       const ContactEnergy energy = FindContactEnergy(pack, box, reach, gradient);
       free = energy.Free;
-      value = energy.Value;
-      return true;
+      return energy.Value;
     },
-    [&](const DescentState& now)
+    [&](const double*, double, int iteration)
     {
-      stopped = now.Iterations % 10 == 0 && !carryOn();
-      return !free && !stopped && now.Iterations < MaximumIterations;
+      stopped = iteration % 10 == 0 && !carryOn();
+      return !free && !stopped;
     });
-  SetCentres(pack, box, state.Place.data());
+  SetCentres(pack, box, centres.data());
   return !stopped;
 }
 }

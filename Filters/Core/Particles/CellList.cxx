@@ -37,176 +37,231 @@ int CellList::Axis::ImageOf(int k) const
   return this->Periodic ? (k >= 0 ? k / this->Count : -((-k + this->Count - 1) / this->Count)) : 0;
 }
 
-std::size_t CellList::CellNumber(int cx, int cy, int cz) const
+std::size_t CellList::Grid::CellNumber(int cx, int cy, int cz) const
 {
   return (std::size_t(cz) * this->Axes[1].Count + cy) * this->Axes[0].Count + cx;
 }
 
-CellList::CellList(const SpherePack& pack, const Window& window, double cutoff)
-  : Cutoff(cutoff)
+double CellList::Grid::MostCells(double reach) const
 {
-  const std::vector<double>* centres[3] = { &pack.X, &pack.Y, &pack.Z };
-  for (int q = 0; q < 3; ++q)
+  double cells = 1.0;
+  for (const Axis& axis : this->Axes)
   {
-    Axis& axis = this->Axes[q];
-    axis.Periodic = window.Periodic[q];
-    if (axis.Periodic)
-    {
-      axis.Origin = window.Origin[q];
-      axis.Edge = window.Size[q];
-    }
-    else
-    {
-      const auto [low, high] = std::minmax_element(centres[q]->begin(), centres[q]->end());
-      axis.Origin = pack.Empty() ? 0.0 : *low;
-      axis.Edge = std::max(pack.Empty() ? 0.0 : *high - *low, 1e-6 * cutoff);
-    }
+    const double span = 2.0 * std::ceil(reach / axis.Width) + 1.0;
+    cells *= axis.Periodic ? span : std::min(span, double(axis.Count));
   }
-
-  // A row of cells along x is one range, so rows are thick, to be few and long, and their cells
-  // short, to fit the sphere of the cut-off. Fewer than one centre a cell make the walk over cells
-  // dearer than the distances it saves.
-  constexpr double rowsPerCutoff = 2.0;
-  constexpr double cellsPerRowWidth = 4.0;
-  const double volume = this->Axes[0].Edge * this->Axes[1].Edge * this->Axes[2].Edge;
-  double width = std::max(cutoff / rowsPerCutoff,
-    std::cbrt(cellsPerRowWidth * volume / std::max<std::size_t>(pack.Size(), 1)));
-  const auto cells = [&]()
-  {
-    double product = 1.0;
-    for (Axis& axis : this->Axes)
-    {
-      const double length = &axis == this->Axes ? width / cellsPerRowWidth : width;
-      axis.Count = static_cast<int>(std::clamp(axis.Edge / length, 1.0, 1e6));
-      axis.Width = axis.Edge / axis.Count;
-      product *= axis.Count;
-    }
-    return product;
-  };
-  while (cells() > 2.0 * pack.Size() + 27.0)
-  {
-    width *= 1.25;
-  }
-
-  // Counting sort by cell; within a cell the order of the pack stays
-  std::vector<std::size_t> cellOf(pack.Size());
-  this->CellBegin.assign(
-    std::size_t(this->Axes[0].Count) * this->Axes[1].Count * this->Axes[2].Count + 1, 0);
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    cellOf[i] = this->CellNumber(this->Axes[0].CellOf(pack.X[i]), this->Axes[1].CellOf(pack.Y[i]),
-      this->Axes[2].CellOf(pack.Z[i]));
-    ++this->CellBegin[cellOf[i] + 1];
-  }
-  std::partial_sum(this->CellBegin.begin(), this->CellBegin.end(), this->CellBegin.begin());
-  std::vector<std::size_t> next(this->CellBegin.begin(), this->CellBegin.end() - 1);
-  this->X.resize(pack.Size());
-  this->Y.resize(pack.Size());
-  this->Z.resize(pack.Size());
-  this->Index.resize(pack.Size());
-  for (std::size_t i = 0; i < pack.Size(); ++i)
-  {
-    const std::size_t place = next[cellOf[i]]++;
-    this->X[place] = pack.X[i];
-    this->Y[place] = pack.Y[i];
-    this->Z[place] = pack.Z[i];
-    this->Index[place] = static_cast<std::uint32_t>(i);
-  }
+  return cells;
 }
 
-std::int64_t CellList::MostNeighbours() const
+std::size_t CellList::Grid::FullestCell() const
 {
   std::size_t fullest = 0;
   for (std::size_t c = 0; c + 1 < this->CellBegin.size(); ++c)
   {
     fullest = std::max(fullest, this->CellBegin[c + 1] - this->CellBegin[c]);
   }
-  double cells = 1.0;
-  for (const Axis& axis : this->Axes)
+  return fullest;
+}
+
+CellList::CellList(const SpherePack& pack, const Window& window, double cutoff)
+  : CellList(pack, window, SizeClasses(cutoff))
+{
+}
+
+CellList::CellList(const SpherePack& pack, const Window& window, const SizeClasses& classes)
+  : Classes(classes)
+{
+  std::vector<std::vector<std::uint32_t>> members(classes.Count());
+  for (std::size_t i = 0; i < pack.Size(); ++i)
   {
-    const double span = 2.0 * std::ceil(this->Cutoff / axis.Width) + 1.0;
-    cells *= axis.Periodic ? span : std::min(span, double(axis.Count));
+    members[classes.Count() == 1 ? 0 : classes.ClassOf(pack.Radius[i])].push_back(
+      static_cast<std::uint32_t>(i));
   }
-  return static_cast<std::int64_t>(std::ceil(cells * fullest));
+  this->X.reserve(pack.Size());
+  this->Y.reserve(pack.Size());
+  this->Z.reserve(pack.Size());
+  this->Index.reserve(pack.Size());
+  for (int c = 0; c < classes.Count(); ++c)
+  {
+    this->Grids.push_back(this->MakeGrid(pack, members[c], window, classes.Reach(c, c)));
+    this->Sort(pack, members[c], this->Grids.back());
+  }
+}
+
+CellList::Grid CellList::MakeGrid(const SpherePack& pack, const std::vector<std::uint32_t>& members,
+  const Window& window, double reach) const
+{
+  Grid grid;
+  const std::vector<double>* centres[3] = { &pack.X, &pack.Y, &pack.Z };
+  for (int q = 0; q < 3; ++q)
+  {
+    Axis& axis = grid.Axes[q];
+    axis.Periodic = window.Periodic[q];
+    if (axis.Periodic)
+    {
+      axis.Origin = window.Origin[q];
+      axis.Edge = window.Size[q];
+      continue;
+    }
+    const auto less = [&](std::uint32_t i, std::uint32_t j)
+    { return (*centres[q])[i] < (*centres[q])[j]; };
+    const auto [low, high] = std::minmax_element(members.begin(), members.end(), less);
+    axis.Origin = members.empty() ? 0.0 : (*centres[q])[*low];
+    axis.Edge =
+      std::max(members.empty() ? 0.0 : (*centres[q])[*high] - (*centres[q])[*low], 1e-6 * reach);
+  }
+
+  // A row of cells along x is one range, so rows are thick, to be few and long, and their cells
+  // short, to fit the sphere of the reach. Fewer than one centre a cell make the walk over cells
+  // dearer than the distances it saves.
+  constexpr double rowsPerReach = 2.0;
+  constexpr double cellsPerRowWidth = 4.0;
+  const double volume = grid.Axes[0].Edge * grid.Axes[1].Edge * grid.Axes[2].Edge;
+  double width = std::max(reach / rowsPerReach,
+    std::cbrt(cellsPerRowWidth * volume / std::max<std::size_t>(members.size(), 1)));
+  const auto cells = [&]()
+  {
+    double product = 1.0;
+    for (Axis& axis : grid.Axes)
+    {
+      const double length = &axis == grid.Axes ? width / cellsPerRowWidth : width;
+      axis.Count = static_cast<int>(std::clamp(axis.Edge / length, 1.0, 1e6));
+      axis.Width = axis.Edge / axis.Count;
+      product *= axis.Count;
+    }
+    return product;
+  };
+  while (cells() > 2.0 * members.size() + 27.0)
+  {
+    width *= 1.25;
+  }
+  return grid;
+}
+
+// A counting sort by cell; within a cell the order of the pack stays
+void CellList::Sort(const SpherePack& pack, const std::vector<std::uint32_t>& members, Grid& grid)
+{
+  std::vector<std::size_t> cellOf;
+  cellOf.reserve(members.size());
+  grid.First = this->X.size();
+  grid.CellBegin.assign(
+    std::size_t(grid.Axes[0].Count) * grid.Axes[1].Count * grid.Axes[2].Count + 1, 0);
+  for (std::uint32_t i : members)
+  {
+    cellOf.push_back(grid.CellNumber(grid.Axes[0].CellOf(pack.X[i]), grid.Axes[1].CellOf(pack.Y[i]),
+      grid.Axes[2].CellOf(pack.Z[i])));
+    ++grid.CellBegin[cellOf.back() + 1];
+  }
+  grid.CellBegin.front() = grid.First;
+  std::partial_sum(grid.CellBegin.begin(), grid.CellBegin.end(), grid.CellBegin.begin());
+  std::vector<std::size_t> next(grid.CellBegin.begin(), grid.CellBegin.end() - 1);
+  const std::size_t size = grid.First + members.size();
+  this->X.resize(size);
+  this->Y.resize(size);
+  this->Z.resize(size);
+  this->Index.resize(size);
+  for (std::size_t n = 0; n < members.size(); ++n)
+  {
+    const std::uint32_t i = members[n];
+    const std::size_t place = next[cellOf[n]]++;
+    this->X[place] = pack.X[i];
+    this->Y[place] = pack.Y[i];
+    this->Z[place] = pack.Z[i];
+    this->Index[place] = i;
+  }
+}
+
+int CellList::ClassOf(std::size_t i) const
+{
+  int c = static_cast<int>(this->Grids.size()) - 1;
+  while (i < this->Grids[c].First)
+  {
+    --c;
+  }
+  return c;
+}
+
+std::int64_t CellList::MostNeighbours() const
+{
+  double most = 0.0;
+  for (int c = 0; c < this->Classes.Count(); ++c)
+  {
+    double neighbours = 0.0;
+    for (int d = 0; d < this->Classes.Count(); ++d)
+    {
+      neighbours +=
+        this->Grids[d].MostCells(this->Classes.Reach(c, d)) * this->Grids[d].FullestCell();
+    }
+    most = std::max(most, neighbours);
+  }
+  return static_cast<std::int64_t>(std::ceil(most));
 }
 
 void CellList::FindRanges(std::size_t i, std::vector<Range>& ranges) const
 {
   ranges.clear();
-  const Axis &ax = this->Axes[0], &ay = this->Axes[1], &az = this->Axes[2];
-  // A centre's cell was found with rounding; the slack keeps a pair at the very cut-off from being
+  const int own = this->ClassOf(i);
+  const Vector3 point = { this->X[i], this->Y[i], this->Z[i] };
+  AppendRanges(this->Grids[own], point, this->Classes.Reach(own, own), true, i, ranges);
+  // A pair of two classes is found from its larger sphere
+  for (int smaller = own + 1; smaller < this->Classes.Count(); ++smaller)
+  {
+    AppendRanges(this->Grids[smaller], point, this->Classes.Reach(own, smaller), false, 0, ranges);
+  }
+}
+
+void CellList::FindRangesAround(
+  const Vector3& point, int sizeClass, std::vector<Range>& ranges) const
+{
+  ranges.clear();
+  for (int c = 0; c < this->Classes.Count(); ++c)
+  {
+    AppendRanges(this->Grids[c], point, this->Classes.Reach(sizeClass, c), false, 0, ranges);
+  }
+}
+
+void CellList::AppendRanges(const Grid& grid, const Vector3& point, double reach, bool half,
+  std::size_t after, std::vector<Range>& ranges)
+{
+  const Axis &ax = grid.Axes[0], &ay = grid.Axes[1], &az = grid.Axes[2];
+  // A centre's cell was found with rounding; the slack keeps a pair at the very reach from being
   // missed.
-  const double reach = this->Cutoff + 1e-12 * (this->Cutoff + ax.Edge + ay.Edge + az.Edge);
-  const double x = this->X[i], y = this->Y[i], z = this->Z[i];
+  const double ball = reach + 1e-12 * (reach + ax.Edge + ay.Edge + az.Edge);
+  const double x = point[0], y = point[1], z = point[2];
   const int cx = ax.CellOf(x), cy = ay.CellOf(y), cz = az.CellOf(z);
 
   // Half of the neighbourhood: the layers above, the rows behind in the own layer, and what follows
   // in the own row
-  const int lastZ = az.LastCell(z, reach);
-  for (int kz = cz; kz <= lastZ; ++kz)
+  const int lastZ = az.LastCell(z, ball);
+  for (int kz = half ? cz : az.FirstCell(z, ball); kz <= lastZ; ++kz)
   {
-    const bool ownLayer = kz == cz;
+    const bool ownLayer = half && kz == cz;
     const double dz = ownLayer ? 0.0 : az.DistanceTo(z, kz);
-    const double reachY = std::sqrt(std::max(reach * reach - dz * dz, 0.0));
-    const int lastY = ay.LastCell(y, reachY);
+    const double ballY = std::sqrt(std::max(ball * ball - dz * dz, 0.0));
+    const int lastY = ay.LastCell(y, ballY);
     const int imageZ = az.ImageOf(kz);
-    for (int ky = ownLayer ? cy : ay.FirstCell(y, reachY); ky <= lastY; ++ky)
+    for (int ky = ownLayer ? cy : ay.FirstCell(y, ballY); ky <= lastY; ++ky)
     {
       const bool ownRow = ownLayer && ky == cy;
       const double dy = ownRow ? 0.0 : ay.DistanceTo(y, ky);
-      const double reachX = std::sqrt(std::max(reach * reach - dz * dz - dy * dy, 0.0));
-      const int lastX = ax.LastCell(x, reachX);
+      const double ballX = std::sqrt(std::max(ball * ball - dz * dz - dy * dy, 0.0));
+      const int lastX = ax.LastCell(x, ballX);
       const int imageY = ay.ImageOf(ky);
-      const std::size_t row = this->CellNumber(0, ky - imageY * ay.Count, kz - imageZ * az.Count);
+      const std::size_t row = grid.CellNumber(0, ky - imageY * ay.Count, kz - imageZ * az.Count);
       // A row of cells is one stretch of sorted places, as far as it lies in one image of the box
-      for (int kx = ownRow ? cx : ax.FirstCell(x, reachX); kx <= lastX;)
+      for (int kx = ownRow ? cx : ax.FirstCell(x, ballX); kx <= lastX;)
       {
         const int imageX = ax.ImageOf(kx);
         const int end = std::min(lastX + 1, (imageX + 1) * ax.Count);
         const std::size_t begin =
-          ownRow && kx == cx ? i + 1 : this->CellBegin[row + (kx - imageX * ax.Count)];
-        const std::size_t stop = this->CellBegin[row + (end - imageX * ax.Count)];
+          ownRow && kx == cx ? after + 1 : grid.CellBegin[row + (kx - imageX * ax.Count)];
+        const std::size_t stop = grid.CellBegin[row + (end - imageX * ax.Count)];
         if (begin < stop)
         {
-          ranges.push_back(
-            { begin, stop, x - imageX * ax.Edge, y - imageY * ay.Edge, z - imageZ * az.Edge });
+          ranges.push_back({ begin, stop, x - imageX * ax.Edge, y - imageY * ay.Edge,
+            z - imageZ * az.Edge, reach });
         }
         kx = end;
-      }
-    }
-  }
-}
-
-void CellList::FindRangesAround(const Vector3& point, std::vector<Range>& ranges) const
-{
-  ranges.clear();
-  const Axis &ax = this->Axes[0], &ay = this->Axes[1], &az = this->Axes[2];
-  const double reach = this->Cutoff + 1e-12 * (this->Cutoff + ax.Edge + ay.Edge + az.Edge);
-  const auto outside = [&](const Axis& axis, double c)
-  { return c < axis.Origin - reach || c > axis.Origin + axis.Edge + reach; };
-  if (outside(ax, point[0]) || outside(ay, point[1]) || outside(az, point[2]))
-  {
-    return;
-  }
-  const int lastZ = az.LastCell(point[2], reach);
-  for (int kz = az.FirstCell(point[2], reach); kz <= lastZ; ++kz)
-  {
-    const double dz = az.DistanceTo(point[2], kz);
-    const double reachY = std::sqrt(std::max(reach * reach - dz * dz, 0.0));
-    const int lastY = ay.LastCell(point[1], reachY);
-    for (int ky = ay.FirstCell(point[1], reachY); ky <= lastY; ++ky)
-    {
-      const double dy = ay.DistanceTo(point[1], ky);
-      const double reachX = std::sqrt(std::max(reach * reach - dz * dz - dy * dy, 0.0));
-      const int firstX = ax.FirstCell(point[0], reachX), lastX = ax.LastCell(point[0], reachX);
-      if (firstX <= lastX)
-      {
-        const std::size_t begin = this->CellBegin[this->CellNumber(firstX, ky, kz)];
-        const std::size_t end = this->CellBegin[this->CellNumber(lastX, ky, kz) + 1];
-        if (begin < end)
-        {
-          ranges.push_back({ begin, end, point[0], point[1], point[2] });
-        }
       }
     }
   }

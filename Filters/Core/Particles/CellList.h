@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ruc/Particles/SizeClasses.h"
 #include "ruc/Particles/SpherePack.h"
 
 #include <algorithm>
@@ -13,66 +14,71 @@
 namespace ruc
 {
 /**
- * The centres of a pack sorted into a grid of cells, for finding every pair of centres closer than
- * a cut-off.
+ * The centres of a pack sorted into grids of cells, one for each class of size, for finding every
+ * pair of centres that are close enough to matter: closer than the reach of their classes
+ * (SizeClasses).
  *
- * Along a periodic axis the images of a centre count as centres of their own; the cut-off may
- * exceed the box, in which case a sphere meets several images of another one, and of itself. Memory
- * is linear in the number of spheres; images are not stored.
+ * Along a periodic axis the images of a centre count as centres of their own; the reach may exceed
+ * the box, in which case a sphere meets several images of another one, and of itself. Memory is
+ * linear in the number of spheres; images are not stored.
  */
 class CellList
 {
 public:
-  /** `pack` must lie in `window` with the periodic axes wrapped (WrapIntoBox); `cutoff` > 0. */
+  /** `pack` must lie in `window` with the periodic axes wrapped (WrapIntoBox). */
+  CellList(const SpherePack& pack, const Window& window, const SizeClasses& classes);
+
+  /** The same with one reach for all pairs, `cutoff` > 0, whatever the radii. */
   CellList(const SpherePack& pack, const Window& window, double cutoff);
 
-  /** Centres, in the order of the cells. */
+  /** Centres, in the order of the classes from the largest spheres down, and of their cells. */
   std::vector<double> X, Y, Z;
   /** Place of each of these centres in the pack. */
   std::vector<std::uint32_t> Index;
 
-  double GetCutoff() const { return this->Cutoff; }
   std::size_t Size() const { return this->X.size(); }
 
   /** Sorted places [Begin, End), to be met by a centre at (X, Y, Z): its own place, less the
-   * range's periodic shift. */
+   * range's periodic shift. They matter if they are closer than the reach. */
   struct Range
   {
     std::size_t Begin, End;
     double X, Y, Z;
+    double Reach;
   };
 
   /**
    * Puts into `ranges` the places that the i-th centre has to be paired with. Over all i, every
-   * unordered pair of a centre and an image of a centre closer than the cut-off appears in exactly
-   * one range. A range also holds centres beyond the cut-off.
+   * unordered pair of a centre and an image of a centre closer than the reach appears in exactly
+   * one range. A range also holds centres beyond the reach.
    */
   void FindRanges(std::size_t i, std::vector<Range>& ranges) const;
 
   /**
    * Calls visit(i, j, dx, dy, dz, d2) for every pair of a centre and an image of a centre closer
-   * than the cut-off, once: i and j are their places in the pack, (dx, dy, dz) leads from i to the
+   * than the reach, once: i and j are their places in the pack, (dx, dy, dz) leads from i to the
    * image of j, and d2 is its square. Loops that take whole ranges at a time use FindRanges.
    */
   template <class Visit>
   void ForEachPair(Visit&& visit) const;
 
-  /**
-   * The places of all centres closer to a point than the cut-off, and of others: for lists without
-   * periodic axes. The ranges' X, Y, Z are the point's.
-   */
-  void FindRangesAround(const Vector3& point, std::vector<Range>& ranges) const;
+  /** The same for a centre that is not in the list, of class `sizeClass`: the places of all centres
+   * closer to it than the reach, and of others. */
+  void FindRangesAround(const Vector3& point, int sizeClass, std::vector<Range>& ranges) const;
+
+  /** The class of the i-th centre. */
+  int ClassOf(std::size_t i) const;
 
   /**
    * Calls visit(begin, end) for stretches of places that hold, with others, all centres closer than
-   * `reach` to a disc of the given middle, normal (of length 1) and radius: for lists without
-   * periodic axes.
+   * `reach` to a disc of the given middle, normal (of length 1) and radius: for lists of one class
+   * without periodic axes.
    */
   template <class Visit>
   void ForEachNearDisc(
     const Vector3& middle, const Vector3& normal, double radius, double reach, Visit&& visit) const;
 
-  /** No centre can have more than this many others, images included, within the cut-off. */
+  /** No centre can have more than this many others, images included, within the reach. */
   std::int64_t MostNeighbours() const;
 
 private:
@@ -92,29 +98,49 @@ private:
     int ImageOf(int k) const;
   };
 
-  std::size_t CellNumber(int cx, int cy, int cz) const;
+  // The centres of a class, at sorted places from First on
+  struct Grid
+  {
+    Axis Axes[3];
+    std::size_t First = 0;
+    std::vector<std::size_t> CellBegin; // first sorted place of each cell, and the end
 
-  double Cutoff;
-  Axis Axes[3];
-  std::vector<std::size_t> CellBegin; // first sorted place of each cell, and the end
+    std::size_t CellNumber(int cx, int cy, int cz) const;
+    // The number of cells that a ball of radius `reach` may meet, at most
+    double MostCells(double reach) const;
+    std::size_t FullestCell() const;
+  };
+
+  // Sets up a grid whose cells suit the reach
+  Grid MakeGrid(const SpherePack& pack, const std::vector<std::uint32_t>& members,
+    const Window& window, double reach) const;
+  // Appends the members to the sorted places
+  void Sort(const SpherePack& pack, const std::vector<std::uint32_t>& members, Grid& grid);
+  // Appends the ranges of a grid that a ball around the point meets; with `half` the point is the
+  // centre at the place `after`, and of its own class only the centres that come after it count
+  static void AppendRanges(const Grid& grid, const Vector3& point, double reach, bool half,
+    std::size_t after, std::vector<Range>& ranges);
+
+  SizeClasses Classes;
+  std::vector<Grid> Grids; // of every class
 };
 
 template <class Visit>
 void CellList::ForEachPair(Visit&& visit) const
 {
-  const double cutoff2 = this->Cutoff * this->Cutoff;
   std::vector<Range> ranges;
   for (std::size_t i = 0; i < this->Size(); ++i)
   {
     this->FindRanges(i, ranges);
     for (const Range& range : ranges)
     {
+      const double reach2 = range.Reach * range.Reach;
       for (std::size_t j = range.Begin; j < range.End; ++j)
       {
         const double dx = this->X[j] - range.X, dy = this->Y[j] - range.Y,
                      dz = this->Z[j] - range.Z;
         const double d2 = dx * dx + dy * dy + dz * dz;
-        if (d2 < cutoff2)
+        if (d2 < reach2)
         {
           visit(this->Index[i], this->Index[j], dx, dy, dz, d2);
         }
@@ -127,7 +153,8 @@ template <class Visit>
 void CellList::ForEachNearDisc(
   const Vector3& middle, const Vector3& normal, double radius, double reach, Visit&& visit) const
 {
-  const Axis &ax = this->Axes[0], &ay = this->Axes[1], &az = this->Axes[2];
+  const Grid& grid = this->Grids.front();
+  const Axis &ax = grid.Axes[0], &ay = grid.Axes[1], &az = grid.Axes[2];
   // A centre's cell was found with rounding
   const double slack = 1e-12 * (radius + reach + ax.Edge + ay.Edge + az.Edge);
   const double thick = reach + slack, ball = radius + thick;
@@ -167,8 +194,8 @@ void CellList::ForEachNearDisc(
       const int lastX = ax.LastCell(middle[0] + high + slack, 0.0);
       if (low <= high && firstX <= lastX)
       {
-        const std::size_t begin = this->CellBegin[this->CellNumber(firstX, ky, kz)];
-        const std::size_t end = this->CellBegin[this->CellNumber(lastX, ky, kz) + 1];
+        const std::size_t begin = grid.CellBegin[grid.CellNumber(firstX, ky, kz)];
+        const std::size_t end = grid.CellBegin[grid.CellNumber(lastX, ky, kz) + 1];
         if (begin < end)
         {
           visit(begin, end);

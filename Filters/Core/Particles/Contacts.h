@@ -18,7 +18,7 @@ namespace ruc
 template <class Visit>
 void ForEachContact(const SpherePack& pack, const Window& window, double reach, Visit&& visit)
 {
-  const CellList cells(pack, window, 2.0 * reach * pack.LargestRadius());
+  const CellList cells(pack, window, SizeClasses(pack.Radius, 0.0, reach));
   cells.ForEachPair(
     [&](std::size_t i, std::size_t j, double dx, double dy, double dz, double d2)
     {

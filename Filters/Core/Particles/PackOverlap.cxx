@@ -62,7 +62,7 @@ PackOverlap MeasureOverlap(const PackShare& share, Communicator& ranks)
 {
   const double total = std::accumulate(share.Volume.begin(), share.Volume.end(), 0.0);
   OverlapSum sum(total);
-  const PairNeighbourhood pairs(share, 2.0 * Near * share.LargestRadius, ranks);
+  const PairNeighbourhood pairs(share, SizeClasses(share.Own.Radius, 0.0, Near, ranks), ranks);
   pairs.ForEachPair(0, pairs.Size(),
     [&](std::size_t i, const PairNeighbourhood::Part& part, std::size_t j, double, double, double,
       double d2)

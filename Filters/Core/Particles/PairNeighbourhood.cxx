@@ -43,17 +43,21 @@ struct HaloPart
   }
 };
 
-std::vector<Bounds> FindBounds(const SpherePack& own, Communicator& ranks)
+// Of the centres of every class on every rank
+std::vector<std::vector<Bounds>> FindBounds(
+  const SpherePack& own, const SizeClasses& classes, Communicator& ranks)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Bounds bounds = { { infinity, infinity, infinity }, { -infinity, -infinity, -infinity } };
+  const Bounds none = { { infinity, infinity, infinity }, { -infinity, -infinity, -infinity } };
+  std::vector<Bounds> bounds(classes.Count(), none);
   for (std::size_t i = 0; i < own.Size(); ++i)
   {
     const Vector3 centre = own.Centre(i);
+    Bounds& ofClass = bounds[classes.ClassOf(own.Radius[i])];
     for (int q = 0; q < 3; ++q)
     {
-      bounds.Low[q] = std::min(bounds.Low[q], centre[q]);
-      bounds.High[q] = std::max(bounds.High[q], centre[q]);
+      ofClass.Low[q] = std::min(ofClass.Low[q], centre[q]);
+      ofClass.High[q] = std::max(ofClass.High[q], centre[q]);
     }
   }
   return ranks.AllGather(bounds);
@@ -99,33 +103,55 @@ void ForEachImageNear(
   }
 }
 
+// The displacements that bring a sphere near to the centres of a rank, each once
+std::vector<Edges> EdgesTo(const PackShare& share, std::size_t i, const std::vector<Bounds>& bounds,
+  const SizeClasses& classes)
+{
+  std::vector<Edges> found;
+  const int own = classes.ClassOf(share.Own.Radius[i]);
+  for (int c = 0; c < classes.Count(); ++c)
+  {
+    if (!bounds[c].Empty())
+    {
+      ForEachImageNear(share.Own.Centre(i), bounds[c], share.Observed,
+        classes.Reach(own, c) * Slack, [&](const Edges& edges) { found.push_back(edges); });
+    }
+  }
+  if (classes.Count() > 1)
+  {
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
+  return found;
+}
+
 // The spheres of this rank in whose surroundings a rank's centres lie, with the pairs that are its
-Halo HaloOf(int rank, const PackShare& share, const Bounds& bounds, double cutoff, int own)
+Halo HaloOf(int rank, const PackShare& share, const std::vector<Bounds>& bounds,
+  const SizeClasses& classes, int own)
 {
   const Edges none = { 0, 0, 0 };
   Halo halo;
-  for (std::size_t i = 0; !bounds.Empty() && i < share.Own.Size(); ++i)
+  for (std::size_t i = 0; i < share.Own.Size(); ++i)
   {
-    ForEachImageNear(share.Own.Centre(i), bounds, share.Observed, cutoff,
-      [&](const Edges& edges)
+    for (const Edges& edges : EdgesTo(share, i, bounds, classes))
+    {
+      if (edges > none || (edges == none && rank < own))
       {
-        if (edges > none || (edges == none && rank < own))
-        {
-          halo[edges].Append(share.Own, i);
-        }
-      });
+        halo[edges].Append(share.Own, i);
+      }
+    }
   }
   return halo;
 }
 
 // What the other ranks, and this one along periodic axes, have around this rank's centres
-Halo ExchangeHalos(const PackShare& share, double cutoff, Communicator& ranks)
+Halo ExchangeHalos(const PackShare& share, const SizeClasses& classes, Communicator& ranks)
 {
-  const std::vector<Bounds> bounds = FindBounds(share.Own, ranks);
+  const std::vector<std::vector<Bounds>> bounds = FindBounds(share.Own, classes, ranks);
   std::vector<std::vector<HaloPart>> outgoing(ranks.Size());
   for (int rank = 0; rank < ranks.Size(); ++rank)
   {
-    for (auto& [edges, pack] : HaloOf(rank, share, bounds[rank], cutoff, ranks.Rank()))
+    for (auto& [edges, pack] : HaloOf(rank, share, bounds[rank], classes, ranks.Rank()))
     {
       outgoing[rank].push_back({ edges, std::move(pack) });
     }
@@ -145,14 +171,20 @@ const Window Unbounded = Window::MakeBox({ 0, 0, 0 }, { 1, 1, 1 }, { false, fals
 }
 
 PairNeighbourhood::PairNeighbourhood(const PackShare& share, double cutoff, Communicator& ranks)
-  : Cutoff(cutoff)
+  : PairNeighbourhood(share, SizeClasses(cutoff), ranks)
 {
-  Halo halo = ExchangeHalos(share, cutoff * Slack, ranks);
-  this->Parts.push_back({ share.Own, CellList(share.Own, Unbounded, cutoff), { 0.0, 0.0, 0.0 } });
+}
+
+PairNeighbourhood::PairNeighbourhood(
+  const PackShare& share, const SizeClasses& classes, Communicator& ranks)
+  : Classes(classes)
+{
+  Halo halo = ExchangeHalos(share, classes, ranks);
+  this->Parts.push_back({ share.Own, CellList(share.Own, Unbounded, classes), { 0.0, 0.0, 0.0 } });
   for (auto& [edges, pack] : halo)
   {
     const Vector3& size = share.Observed.Size;
-    CellList cells(pack, Unbounded, cutoff);
+    CellList cells(pack, Unbounded, classes);
     this->Parts.push_back({ std::move(pack), std::move(cells),
       { edges[0] * size[0], edges[1] * size[1], edges[2] * size[2] } });
   }
@@ -164,17 +196,18 @@ void PairNeighbourhood::FindRanges(std::size_t i, std::vector<Range>& ranges) co
   const CellList& own = this->Own();
   thread_local std::vector<CellList::Range> found;
   own.FindRanges(i, found);
+  const int sizeClass = own.ClassOf(i);
   for (std::size_t part = 0; part < this->Parts.size(); ++part)
   {
     if (part > 0)
     {
       const Vector3& shift = this->Parts[part].Shift;
       this->Parts[part].Cells.FindRangesAround(
-        { own.X[i] - shift[0], own.Y[i] - shift[1], own.Z[i] - shift[2] }, found);
+        { own.X[i] - shift[0], own.Y[i] - shift[1], own.Z[i] - shift[2] }, sizeClass, found);
     }
     for (const CellList::Range& range : found)
     {
-      ranges.push_back({ part, range.Begin, range.End });
+      ranges.push_back({ part, range.Begin, range.End, range.Reach });
     }
   }
 }

@@ -13,10 +13,11 @@ namespace ruc
 {
 /**
  * This rank's share of a pack and its surroundings: all spheres, of other ranks and images along
- * periodic axes, whose centres are closer than a cut-off to the box of the share's own centres.
+ * periodic axes, that are close enough to the box of the share's own centres to matter: closer than
+ * the reach of their classes of size (SizeClasses).
  *
  * Over the own centres of all ranks, every unordered pair of a centre and an image of a centre
- * closer than the cut-off is met exactly once: pairs of one rank by that rank, others by the lower
+ * closer than their reach is met exactly once: pairs of one rank by that rank, others by the lower
  * rank, or, where the image lies whole edges away, by the rank of the sphere at which those edges
  * are lexicographically positive. A displacement is (x_j - x_i) + shift, which changes its sign
  * exactly when i and j change places; hence what is summed from it in integers is the same for any
@@ -25,7 +26,9 @@ namespace ruc
 class PairNeighbourhood
 {
 public:
-  /** Collective; `cutoff` > 0. */
+  /** Collective. */
+  PairNeighbourhood(const PackShare& share, const SizeClasses& classes, Communicator& ranks);
+  /** Collective; with one reach for all pairs, `cutoff` > 0. */
   PairNeighbourhood(const PackShare& share, double cutoff, Communicator& ranks);
 
   /** Spheres that share a displacement by whole edges; the first part is the own. */
@@ -40,16 +43,18 @@ public:
   const CellList& Own() const { return this->Parts.front().Cells; }
   /** Centres to begin with: places in Own(). */
   std::size_t Size() const { return this->Own().Size(); }
-  double GetCutoff() const { return this->Cutoff; }
+  /** No pair is farther apart than this. */
+  double LargestReach() const { return this->Classes.LargestReach(); }
 
-  /** Sorted places [Begin, End) of the cells of a part. */
+  /** Sorted places [Begin, End) of the cells of a part, and how close they have to be. */
   struct Range
   {
     std::size_t Part, Begin, End;
+    double Reach;
   };
 
   /** The ranges that the own centre at place i has to be paired with; they also hold centres beyond
-   * the cut-off. */
+   * the reach. */
   void FindRanges(std::size_t i, std::vector<Range>& ranges) const;
 
   /** No centre meets more than this many others. */
@@ -57,14 +62,13 @@ public:
 
   /**
    * Calls visit(i, part, j, dx, dy, dz, d2) for every pair of the own centres at places [begin,
-   * end) that is closer than the cut-off: i the sphere in Parts[0].Pack, j that in part.Pack, and
+   * end) that is closer than their reach: i the sphere in Parts[0].Pack, j that in part.Pack, and
    * the displacement from i to j with its square.
    */
   template <class Visit>
   void ForEachPair(std::size_t begin, std::size_t end, Visit&& visit) const
   {
     const CellList& own = this->Own();
-    const double cutoff2 = this->Cutoff * this->Cutoff;
     std::vector<Range> ranges;
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -73,13 +77,14 @@ public:
       for (const Range& range : ranges)
       {
         const Part& part = this->Parts[range.Part];
+        const double reach2 = range.Reach * range.Reach;
         for (std::size_t j = range.Begin; j < range.End; ++j)
         {
           const double dx = (part.Cells.X[j] - x) + part.Shift[0];
           const double dy = (part.Cells.Y[j] - y) + part.Shift[1];
           const double dz = (part.Cells.Z[j] - z) + part.Shift[2];
           const double d2 = dx * dx + dy * dy + dz * dz;
-          if (d2 < cutoff2)
+          if (d2 < reach2)
           {
             visit(own.Index[i], part, part.Cells.Index[j], dx, dy, dz, d2);
           }
@@ -89,6 +94,6 @@ public:
   }
 
 private:
-  double Cutoff;
+  SizeClasses Classes;
 };
 }

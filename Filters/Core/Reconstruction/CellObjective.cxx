@@ -56,6 +56,7 @@ CellObjective::CellObjective(
   const CellContents& contents, const TwoPointProbability& target, Communicator& communicator)
   : Contents(contents)
   , Ranks(communicator)
+  , Sizes(contents.Radii(), target.Lags.Maximum(), 1.0)
   , Histogram(CellTypes(contents), target.Lags, SearchKnots)
   , TwoPoint(contents, target, this->Histogram, communicator)
   , Overlap(contents, this->Histogram)
@@ -67,7 +68,7 @@ CellObjective::Terms CellObjective::Evaluate(
 {
   const Window box = this->Contents.MakeBox();
   const SpherePack pack = this->Contents.MakePack(centres);
-  const CellList cells(pack, box, this->Histogram.GetCutoff());
+  const CellList cells(pack, box, this->Sizes);
   std::vector<std::int32_t> types;
   for (std::uint32_t i : cells.Index)
   {

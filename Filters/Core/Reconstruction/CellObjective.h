@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ruc/Base/Communicator.h"
+#include "ruc/Particles/SizeClasses.h"
 #include "ruc/Reconstruction/CellContents.h"
 #include "ruc/Reconstruction/OverlapTerm.h"
 #include "ruc/Reconstruction/TwoPointTerm.h"
@@ -63,6 +64,7 @@ private:
 
   CellContents Contents;
   Communicator& Ranks;
+  SizeClasses Sizes;
   PairHistogram Histogram;
   TwoPointTerm TwoPoint;
   OverlapTerm Overlap;

@@ -79,7 +79,7 @@ public:
   DirectionalSum(const PackShare& share, const LagGrid& lags, Communicator& ranks)
     : Share(share)
     , Lags(lags)
-    , Pairs(share, lags.Maximum() + 2.0 * share.LargestRadius, ranks, "MaximumLag")
+    , Pairs(share, SizeClasses(share.Own.Radius, lags.Maximum(), 1.0, ranks), ranks, "MaximumLag")
     , Numbering(share.NumberOfModes() - 1, { 1.0, 0 }) // of the modes as if they were all phases
     , Unit(SphereVolume(share.LargestRadius))
   {

@@ -256,7 +256,8 @@ TwoPointProbability SumPairs(const PackShare& share, const LagGrid& lags, Commun
   // A bound of the weights, which costs no walk over all pairs
   const double heaviest =
     window.IsFullyPeriodic() ? 1.0 : window.Volume() / window.LeastSetCovariance(cutoff);
-  const WeightedPairs pairs(share, cutoff, heaviest, ranks, "MaximumLag");
+  const SizeClasses classes(share.Own.Radius, lags.Maximum(), 1.0, ranks);
+  const WeightedPairs pairs(share, classes, heaviest, ranks, "MaximumLag");
   if (types.size() <= MostTypes && PairHistogram::EstimateSize(types, lags) <= LargestHistogram)
   {
     return SumBy(TabulatedSum(share, lags, types, pairs), share, lags, pairs, ranks, progress);

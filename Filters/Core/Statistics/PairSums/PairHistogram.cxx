@@ -12,25 +12,21 @@ PairHistogram::PairHistogram(
   : Types(std::move(types))
 {
   const int count = this->NumberOfTypes();
-  double largest = 0.0;
-  for (const SphereType& type : this->Types)
-  {
-    largest = std::max(largest, type.Radius);
-  }
-  this->Cutoff = lags.Maximum() + 2.0 * largest;
   this->Lookups.resize(count * count);
   this->ClassBegin.push_back(0);
   for (int p = 0; p < count; ++p)
   {
     for (int q = p; q < count; ++q)
     {
-      this->Kernels.emplace_back(
-        this->Types[p].Radius, this->Types[q].Radius, lags, this->Cutoff, resolution);
+      // The last interval lies where g is 0, for pairs that are too far apart to matter
+      const double a = this->Types[p].Radius, b = this->Types[q].Radius;
+      const double spacing = PairKernel::KnotSpacing(std::min(a, b), lags, resolution);
+      this->Kernels.emplace_back(a, b, lags, lags.Maximum() + a + b + spacing, resolution);
       const PairKernel& kernel = this->Kernels.back();
       for (int place : { p * count + q, q * count + p })
       {
         this->Lookups[place] = { 1.0 / kernel.Spacing, -kernel.First / kernel.Spacing,
-          static_cast<std::int32_t>(this->ClassBegin.back()) };
+          kernel.Intervals - 0.5, static_cast<std::int32_t>(this->ClassBegin.back()) };
       }
       this->ClassTypes.emplace_back(p, q);
       this->ClassBegin.push_back(this->ClassBegin.back() + kernel.Size());

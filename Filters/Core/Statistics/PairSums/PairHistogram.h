@@ -64,9 +64,6 @@ public:
     return this->Types[this->ClassTypes[pairClass].second];
   }
 
-  /** Pairs further apart than this have no overlap at any lag. */
-  double GetCutoff() const { return this->Cutoff; }
-
   /** Numbers that a histogram for these types would have, without making its tables: to decide
    * whether there are few enough. */
   static double EstimateSize(const std::vector<SphereType>& types, const LagGrid& lags);
@@ -79,10 +76,11 @@ public:
   static double FixedPointScale(std::int64_t spheres, std::int64_t mostNeighbours, double heaviest);
 
   /** Where the hot loops find a distance: at knot floor(u) with u = distance x InverseSpacing +
-   * Shift. */
+   * Shift, or Last where that is less: between two knots at which there is no overlap at any lag.
+   */
   struct alignas(32) Lookup
   {
-    double InverseSpacing, Shift;
+    double InverseSpacing, Shift, Last;
     std::int32_t Begin;
   };
   /** One for every other type. */
@@ -97,6 +95,5 @@ private:
   std::vector<std::pair<int, int>> ClassTypes;
   std::vector<std::size_t> ClassBegin;
   std::vector<Lookup> Lookups;
-  double Cutoff;
 };
 }

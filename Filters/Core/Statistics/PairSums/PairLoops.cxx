@@ -104,7 +104,8 @@ void AddToHistogram(
   {
     const std::size_t k = kept[n];
     const PairHistogram::Lookup& lookup = lookups[chunk.Type[k]];
-    const double u = chunk.Distance[k] * lookup.InverseSpacing + lookup.Shift;
+    const double u =
+      std::min(chunk.Distance[k] * lookup.InverseSpacing + lookup.Shift, lookup.Last);
     const std::int32_t knot = static_cast<std::int32_t>(u);
     const double t = u - knot;
     const Four weights = (constant + t * (linear + t * (quadratic + t * cubic))) * chunk.Weight[k];
@@ -151,7 +152,7 @@ void CountPairs(const PairHistogram& classes, const CellList& cells,
         [&](std::size_t)
         {
           FindDistances(chunk, place, NoShift);
-          AddToHistogram(chunk, cells.GetCutoff(), classes.LookupRow(types[i]), histogram);
+          AddToHistogram(chunk, range.Reach, classes.LookupRow(types[i]), histogram);
         });
     }
   }
@@ -165,7 +166,6 @@ void CountPairs(const PairHistogram& classes, const PairNeighbourhood& pairs,
   const double numerator = scale * window.Volume();
   const double loss[3] = { window.Periodic[0] ? 0.0 : 1.0, window.Periodic[1] ? 0.0 : 1.0,
     window.Periodic[2] ? 0.0 : 1.0 };
-  const double cutoff = pairs.GetCutoff();
   Chunk chunk;
   std::fill(std::begin(chunk.Weight), std::end(chunk.Weight), scale);
   std::vector<PairNeighbourhood::Range> ranges;
@@ -182,7 +182,7 @@ void CountPairs(const PairHistogram& classes, const PairNeighbourhood& pairs,
           FindDistances(chunk, place, part.Shift.data());
           for (std::size_t k = 0; cylinder && k < chunk.Size; ++k)
           {
-            if (chunk.Distance[k] < cutoff)
+            if (chunk.Distance[k] < range.Reach)
             {
               chunk.Weight[k] = numerator /
                 window.SetCovariance(
@@ -193,7 +193,7 @@ void CountPairs(const PairHistogram& classes, const PairNeighbourhood& pairs,
           {
             WeighByBox(chunk, place, window.Size.data(), loss, numerator);
           }
-          AddToHistogram(chunk, cutoff, classes.LookupRow(types[0][i]), histogram);
+          AddToHistogram(chunk, range.Reach, classes.LookupRow(types[0][i]), histogram);
         });
     }
   }
@@ -238,7 +238,7 @@ void AddForces(const Chunk& chunk, double cutoff, const PairHistogram::Lookup* l
     const std::size_t k = kept[n];
     const PairHistogram::Lookup& lookup = lookups[chunk.Type[k]];
     const double d = chunk.Distance[k];
-    const double u = d * lookup.InverseSpacing + lookup.Shift;
+    const double u = std::min(d * lookup.InverseSpacing + lookup.Shift, lookup.Last);
     const std::int32_t knot = static_cast<std::int32_t>(u);
     const double t = u - knot;
     const double* slope = slopes + 2 * (lookup.Begin + 2 * knot);
@@ -275,8 +275,8 @@ void AddPairForces(const PairHistogram& classes, const CellList& cells,
         [&](std::size_t from)
         {
           FindDistances(chunk, centre, NoShift);
-          AddForces(chunk, cells.GetCutoff(), classes.LookupRow(types[i]), slopes.data(), scale,
-            centre, &places[4 * from], gradient + 4 * i, gradient + 4 * from);
+          AddForces(chunk, range.Reach, classes.LookupRow(types[i]), slopes.data(), scale, centre,
+            &places[4 * from], gradient + 4 * i, gradient + 4 * from);
         });
     }
   }

@@ -369,8 +369,8 @@ ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int
   CheckMap(share, pairs, spacing, reach);
   const HalfGrid grid = { static_cast<int>(reach / spacing * (1.0 + 1e-12)) };
   const double cube = grid.Half * spacing, rim = 2.0 * share.LargestRadius;
-  const WeightedPairs weighted(
-    share, std::sqrt(3.0) * cube + rim, ranks, "Spacing x Resolution", cube, rim);
+  const SizeClasses classes(share.Own.Radius, std::sqrt(3.0) * cube, 1.0, ranks);
+  const WeightedPairs weighted(share, classes, ranks, "Spacing x Resolution", cube, rim);
   std::vector<std::int64_t> sums = MapSums(share, weighted, pairs, grid, spacing).Sum(progress);
   ranks.Sum(sums.data(), sums.size());
 

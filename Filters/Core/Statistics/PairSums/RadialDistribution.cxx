@@ -30,7 +30,9 @@ RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGr
   RadialDistribution result{ lags, modes, {}, unset };
   result.Values.assign(modes * (modes + 1) / 2, unset);
 
-  const WeightedPairs pairs(share, (lags.Count + 0.5) * lags.Spacing, ranks, "MaximumLag");
+  const SizeClasses one(
+    (lags.Count + 0.5) * lags.Spacing); // distances of centres, whatever the radii
+  const WeightedPairs pairs(share, one, ranks, "MaximumLag");
   const std::size_t size = result.Values.size() * bins;
   const std::vector<std::int64_t> sums = pairs.Sum(size, ranks, progress,
     [&](std::size_t begin, std::size_t end, std::int64_t* own)

@@ -7,9 +7,9 @@
 
 namespace ruc
 {
-WeightedPairs::WeightedPairs(const PackShare& share, double cutoff, Communicator& ranks,
-  const char* property, double cube, double rim)
-  : Pairs(share, cutoff, ranks)
+WeightedPairs::WeightedPairs(const PackShare& share, const SizeClasses& classes,
+  Communicator& ranks, const char* property, double cube, double rim)
+  : Pairs(share, classes, ranks)
   , Observed(share.Observed)
   , Cube(cube)
   , Rim(rim)
@@ -34,9 +34,9 @@ WeightedPairs::WeightedPairs(const PackShare& share, double cutoff, Communicator
   this->FindScale(heaviest, ranks, property);
 }
 
-WeightedPairs::WeightedPairs(
-  const PackShare& share, double cutoff, double heaviest, Communicator& ranks, const char* property)
-  : Pairs(share, cutoff, ranks)
+WeightedPairs::WeightedPairs(const PackShare& share, const SizeClasses& classes, double heaviest,
+  Communicator& ranks, const char* property)
+  : Pairs(share, classes, ranks)
   , Observed(share.Observed)
   , Cube(std::numeric_limits<double>::infinity())
   , Rim(1.0)
@@ -55,7 +55,7 @@ void WeightedPairs::FindScale(double heaviest, Communicator& ranks, const char* 
   ranks.ThrowIfAny(terms <= FixedPointSums::MostTerms
       ? ""
       : Text(property, " requires fewer than ", FixedPointSums::MostTerms,
-          " spheres around one within a distance of ", this->Pairs.GetCutoff(), "."));
+          " spheres around one within a distance of ", this->Pairs.LargestReach(), "."));
   this->Step = static_cast<std::size_t>(
     std::clamp<std::int64_t>(FixedPointSums::MostTerms / terms, 1, mostCentres));
   this->Terms = terms * static_cast<std::int64_t>(this->Step);

@@ -19,8 +19,9 @@
 namespace ruc
 {
 /**
- * The pairs of a pack closer than a cut-off, each with its weight V / gamma(d) (V the volume of the
- * window of the centres, gamma its set covariance), and how to add them up in FixedPointSums.
+ * The pairs of a pack that are close enough to matter (SizeClasses), each with its weight V /
+ * gamma(d) (V the volume of the window of the centres, gamma its set covariance), and how to add
+ * them up in FixedPointSums.
  */
 class WeightedPairs
 {
@@ -31,12 +32,12 @@ public:
    * have a set covariance > 0. Throws std::invalid_argument, the same on every rank, where a sphere
    * may have more than FixedPointSums::MostTerms others around it; `property` is what to blame.
    */
-  WeightedPairs(const PackShare& share, double cutoff, Communicator& ranks, const char* property,
-    double cube = std::numeric_limits<double>::infinity(), double rim = 1.0);
+  WeightedPairs(const PackShare& share, const SizeClasses& classes, Communicator& ranks,
+    const char* property, double cube = std::numeric_limits<double>::infinity(), double rim = 1.0);
 
-  /** The same for all pairs closer than the cut-off, of which none weighs more than `heaviest`. */
-  WeightedPairs(const PackShare& share, double cutoff, double heaviest, Communicator& ranks,
-    const char* property);
+  /** The same for all pairs closer than their reach, of which none weighs more than `heaviest`. */
+  WeightedPairs(const PackShare& share, const SizeClasses& classes, double heaviest,
+    Communicator& ranks, const char* property);
 
   PairNeighbourhood Pairs;
   /** Twice the weight of any pair of any rank times Scale is at most 2^FixedPointSums::TermBits. */

@@ -26,11 +26,15 @@ TEST(PairHistogram, EveryUnorderedPairOfTypesIsAClass)
         EXPECT_EQ(std::size_t(lookup.Begin), histogram.Begin(c));
         EXPECT_NEAR(1.7 * lookup.InverseSpacing + lookup.Shift,
           (1.7 - histogram.Kernel(c).First) / histogram.Kernel(c).Spacing, 1e-12);
+        // From there on there is no overlap at any lag
+        const ruc::PairKernel& kernel = histogram.Kernel(c);
+        EXPECT_GE(kernel.First + std::floor(lookup.Last) * kernel.Spacing,
+          3.0 + types[p].Radius + types[q].Radius);
+        EXPECT_LT(lookup.Last, kernel.Intervals);
       }
     }
   }
   EXPECT_EQ(histogram.Size(), size);
-  EXPECT_DOUBLE_EQ(histogram.GetCutoff(), 3.0 + 2.2);
 }
 
 TEST(PairHistogram, FixedPointScaleCannotOverflow)
@@ -60,7 +64,9 @@ TEST(PairHistogram, CountedPairsGiveTheSumOfTheirOverlaps)
   const ruc::SpherePack pack = oracle::RelaxedPack({ 12, 25 }, { 1.0, 0.6 }, box, 3);
   const ruc::LagGrid lags = { 0.25, 20 };
   const ruc::PairHistogram histogram(types, lags);
-  const ruc::CellList cells(pack, box, histogram.GetCutoff());
+  // Farther than lags and contact reach, which adds nothing
+  const double cutoff = 20 * 0.25 + 2.0 + 1.7;
+  const ruc::CellList cells(pack, box, cutoff);
   std::vector<std::int32_t> typeOfPlace;
   for (std::uint32_t i : cells.Index)
   {
@@ -73,7 +79,7 @@ TEST(PairHistogram, CountedPairsGiveTheSumOfTheirOverlaps)
 
   std::vector<std::vector<double>> expected(3, std::vector<double>(lags.Count + 1, 0.0));
   std::vector<double> pairs(3, 0.0);
-  oracle::ForEachPair(pack, box, histogram.GetCutoff(),
+  oracle::ForEachPair(pack, box, cutoff,
     [&](std::size_t i, std::size_t j, const std::array<int, 3>&, double d)
     {
       const int c = pack.Mode[i] + pack.Mode[j] - 2;
