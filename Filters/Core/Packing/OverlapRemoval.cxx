@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Packing/OverlapRemoval.h"
 
+#include "ruc/Base/Descent.h"
 #include "ruc/Base/Random.h"
-#include "ruc/Packing/Minimise.h"
 #include "ruc/Particles/Contacts.h"
 
 #include <algorithm>
@@ -64,25 +64,28 @@ void Shake(SpherePack& pack, const Window& box, std::uint32_t seed, std::uint32_
 bool PushApart(
   SpherePack& pack, const Window& box, double reach, const std::function<bool()>& carryOn)
 {
-  std::vector<double> centres = CentresOf(pack);
+  constexpr int MaximumIterations = 4000;
+  DescentState state;
+  state.Place = CentresOf(pack);
+  DescentSettings settings;
+  settings.FirstStep = pack.LargestRadius(); // of all spheres together
   bool free = false, stopped = false;
-  MinimiserSettings settings;
-  settings.MaximumIterations = 4000;
-  Minimise(
-    centres, settings,
-    [&](const double* place, double* gradient)
+  Descend(
+    state, settings,
+    [&](const double* place, double* gradient, double& value)
     {
       SetCentres(pack, box, place);
       const ContactEnergy energy = FindContactEnergy(pack, box, reach, gradient);
       free = energy.Free;
-      return energy.Value;
+      value = energy.Value;
+      return true;
     },
-    [&](const double*, double, int iteration)
+    [&](const DescentState& now)
     {
-      stopped = iteration % 10 == 0 && !carryOn();
-      return !free && !stopped;
+      stopped = now.Iterations % 10 == 0 && !carryOn();
+      return !free && !stopped && now.Iterations < MaximumIterations;
     });
-  SetCentres(pack, box, centres.data());
+  SetCentres(pack, box, state.Place.data());
   return !stopped;
 }
 }

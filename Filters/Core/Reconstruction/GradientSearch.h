@@ -6,7 +6,7 @@
 #include "ruc/Base/Estimate.h"
 #include "ruc/Reconstruction/CellContents.h"
 #include "ruc/Reconstruction/CellObjective.h"
-#include "ruc/Reconstruction/Descent.h"
+#include "ruc/Base/Descent.h"
 #include "ruc/Reconstruction/SearchSettings.h"
 #include "ruc/Reconstruction/UnitCell.h"
 #include "ruc/Statistics/Results/TwoPointProbability.h"

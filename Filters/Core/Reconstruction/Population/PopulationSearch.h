@@ -4,7 +4,7 @@
 
 #include "ruc/Base/Communicator.h"
 #include "ruc/Reconstruction/CellContents.h"
-#include "ruc/Reconstruction/Descent.h"
+#include "ruc/Base/Descent.h"
 #include "ruc/Reconstruction/Population/PopulationSettings.h"
 #include "ruc/Reconstruction/UnitCell.h"
 #include "ruc/Statistics/Results/TwoPointProbability.h"

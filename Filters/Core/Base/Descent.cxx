@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ruc/Reconstruction/Descent.h"
+#include "ruc/Base/Descent.h"
 
 #include <algorithm>
 #include <cmath>

@@ -44,7 +44,7 @@ enum class DescentEnd
 
 /**
  * Minimises a function with L-BFGS (Nocedal, Math. Comp. 35, 773, 1980) from where `state` stands
- * until it is told to stop. Other than that of a library its state can be kept and resumed.
+ * until it is told to stop. Its state can be kept and resumed.
  *
  * The line search bisects for the weak Wolfe conditions, which serves functions with kinks, as F2
  * has where one of its norms vanishes (Lewis, Overton, Math. Program. 141, 135, 2013).
