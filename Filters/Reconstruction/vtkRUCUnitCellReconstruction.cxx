@@ -292,6 +292,18 @@ void vtkRUCUnitCellReconstruction::WarnOf(const std::vector<CellSearch::FoundCel
                                                                  : "; it is too dense to free."));
     }
   }
+  const bool byHand = std::any_of(cells.begin(), cells.end(),
+    [](const CellSearch::FoundCell& found)
+    {
+      return found.Cell.EndedBy == ruc::EndReason::StopButton ||
+        found.Cell.EndedBy == ruc::EndReason::Abort;
+    });
+  if (byHand && this->Search.CheckpointFile.empty())
+  {
+    vtkWarningMacro(<< this->GetLabel()
+                    << ": stopped by hand; a state file does not keep the cell and searches anew "
+                       "when it is loaded. Save the data, or set CheckpointFile.");
+  }
   const std::size_t wanted = this->Search.NumberOfCells;
   if (cells.size() < wanted)
   {

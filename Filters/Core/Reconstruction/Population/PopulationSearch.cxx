@@ -10,12 +10,10 @@
 #include "ruc/Reconstruction/GradientSearch.h"
 #include "ruc/Reconstruction/Population/AnnealedSelection.h"
 #include "ruc/Reconstruction/Population/GeneticOperators.h"
-
-#include <omp.h>
+#include "ruc/Reconstruction/Population/MemberMaker.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numeric>
 #include <stdexcept>
 
@@ -23,13 +21,6 @@ namespace ruc
 {
 namespace
 {
-struct Member
-{
-  Chromosome Centres;
-  double Objective = 0.0;
-  double OverlapPercent = 0.0;
-};
-
 class Search
 {
 public:
@@ -44,27 +35,30 @@ public:
     , CarryOn(carryOn)
     , Save(save)
     , Shared(contents, target, communicator)
+    , Members(contents, target, communicator)
     , Box(contents.MakeBox())
   {
     this->Shared.SetPenaltyWeight(DescentPenaltyWeight);
-    for (int thread = 0; thread < omp_get_max_threads(); ++thread)
-    {
-      this->OfThread.push_back(std::make_unique<CellObjective>(contents, target, this->Serial));
-    }
   }
 
   void Start()
   {
-    std::vector<Member> members = this->MakeMembers(this->Settings.Population,
-      [&](int i) { return this->MakeFirst(static_cast<std::uint32_t>(i)); });
-    for (Member& member : members)
-    {
-      this->State.Centres.push_back(std::move(member.Centres));
-      this->State.Objective.push_back(member.Objective);
-      this->State.OverlapPercent.push_back(member.OverlapPercent);
-    }
-    this->State.First = this->Range();
     this->State.Temperature = this->Settings.InitialTemperature;
+    this->MakeMembers(
+      this->Settings.Population,
+      [&](int i) { return this->MakeFirst(static_cast<std::uint32_t>(i)); },
+      [&](Member& member)
+      {
+        this->State.Centres.push_back(std::move(member.Centres));
+        this->State.Objective.push_back(member.Objective);
+        this->State.OverlapPercent.push_back(member.OverlapPercent);
+      },
+      [&]()
+      {
+        this->State.First = this->Range(); // of those that there are
+        return this->DescribeBest();
+      });
+    this->State.First = this->Range();
     this->FinishGeneration();
   }
 
@@ -113,37 +107,25 @@ private:
   }
 
   // `number` members, the n-th made by make(n) and evaluated by one thread of rank n % ranks; then
-  // on all ranks
-  template <class Make>
-  std::vector<Member> MakeMembers(int number, Make&& make)
+  // given to keep(member) in their order on all ranks. After some of them the caller is told
+  // describe() and asked whether to go on; the others are left out when it does not.
+  template <class Make, class Keep, class Describe>
+  void MakeMembers(int number, Make&& make, Keep&& keep, Describe&& describe)
   {
-    const std::size_t length = 3 * std::size_t(this->Contents.NumberOfSpheres());
-    const std::size_t stride = length + 2;
-    std::vector<double> numbers(number * stride, 0.0);
-    const int rank = this->Ranks.Rank(), ranks = this->Ranks.Size();
-#pragma omp parallel for schedule(dynamic) num_threads(this->OfThread.size())
-    for (int n = rank; n < number; n += ranks)
+    constexpr int MembersOfRank = 64; // between two questions
+    const int some = MembersOfRank * this->Ranks.Size();
+    for (int first = 0; first < number && !this->Stopped; first += some)
     {
-      double* place = &numbers[n * stride];
-      const Chromosome centres = make(n);
-      std::copy(centres.begin(), centres.end(), place);
-      this->Evaluate(centres, place[length], place[length + 1]);
+      const int last = std::min(first + some, number);
+      for (Member& member : this->Members.Make(first, last, make))
+      {
+        keep(member);
+      }
+      if (last < number)
+      {
+        this->AskAll(describe());
+      }
     }
-    this->Ranks.AllGatherInTurn(numbers.data(), number, [&](std::size_t n) { return n * stride; });
-    std::vector<Member> members(number);
-    for (int n = 0; n < number; ++n)
-    {
-      const double* place = &numbers[n * stride];
-      members[n] = { Chromosome(place, place + length), place[length], place[length + 1] };
-    }
-    return members;
-  }
-
-  void Evaluate(const Chromosome& centres, double& objective, double& overlapPercent)
-  {
-    CellObjective& evaluator = *this->OfThread[omp_get_thread_num()];
-    objective = evaluator.Evaluate(centres.data(), nullptr).TwoPoint;
-    overlapPercent = MeasureOverlap(this->Contents.MakePack(centres.data()), this->Box).Percent;
   }
 
   ObjectiveRange Range() const
@@ -158,10 +140,7 @@ private:
     return this->State.Fitness(this->Settings.HalfOverlap);
   }
 
-  int BestMember() const
-  {
-    return RankByFitness(this->FitnessOfAll()).front();
-  }
+  int BestMember() const { return RankByFitness(this->FitnessOfAll()).front(); }
 
   // ---- Generations ----
 
@@ -204,8 +183,16 @@ private:
     {
       mates.push_back(this->DrawMate(parent, pool, random));
     }
-    std::vector<Member> children = this->MakeMembers(this->Settings.MatingPool,
-      [&](int j) { return this->MakeChild(j, pool[j], mates[j], fitness); });
+    std::vector<Member> children;
+    this->MakeMembers(
+      this->Settings.MatingPool,
+      [&](int j) { return this->MakeChild(j, pool[j], mates[j], fitness); },
+      [&](Member& child) { children.push_back(std::move(child)); },
+      [&]() { return this->State.Convergence.back(); });
+    if (this->Stopped)
+    {
+      return false;
+    }
     for (Member& child : children)
     {
       if (this->Settings.RefinementSteps > 0 && !this->Refine(child))
@@ -310,11 +297,26 @@ private:
       return false;
     }
     SpherePack pack = this->Contents.MakePack(descent.Place.data());
-    RemoveOverlap(pack, this->Box, this->Settings.Seed, []() { return true; });
+    if (!this->Free(pack))
+    {
+      return false;
+    }
     member.Centres = CentresOf(pack);
     member.Objective = this->Shared.Evaluate(member.Centres.data(), nullptr).TwoPoint;
     member.OverlapPercent = MeasureOverlap(pack, this->Box).Percent;
     return true;
+  }
+
+  // Removes overlap on all ranks alike. Returns false when a rank wished to stop.
+  bool Free(SpherePack& pack)
+  {
+    RemoveOverlap(pack, this->Box, this->Settings.Seed,
+      [&]()
+      {
+        this->AskAll(this->State.Convergence.back());
+        return !this->Stopped;
+      });
+    return !this->Stopped;
   }
 
   bool Refine(Member& member)
@@ -338,7 +340,10 @@ private:
     else
     {
       SpherePack pack = this->Contents.MakePack(this->State.Centres[best].data());
-      RemoveOverlap(pack, this->Box, this->Settings.Seed, []() { return true; });
+      if (!this->Free(pack))
+      {
+        return false;
+      }
       descent.Place = CentresOf(pack);
     }
     Member refined;
@@ -365,16 +370,32 @@ private:
     }
   }
 
-  void FinishGeneration()
+  // The wish to stop of any rank reaches all
+  void AskAll(const SearchState& state)
+  {
+    this->Ask(state);
+    this->Ranks.Sum(&this->Wish, 1);
+    this->Stopped = this->Stopped || this->Wish > 0;
+    this->Wish = 0;
+  }
+
+  SearchState DescribeBest() const
   {
     const int best = this->BestMember();
-    this->State.Convergence.push_back({ SearchPhase::AnnealingPopulation, this->State.Generation,
-      this->State.Objective[best], this->State.OverlapPercent[best] });
-    this->Ask(this->State.Convergence.back());
-    this->Ranks.Sum(&this->Wish, 1);
-    this->Stopped = this->Wish > 0;
-    this->Wish = 0;
-    if (this->Save)
+    return { SearchPhase::AnnealingPopulation, this->State.Generation, this->State.Objective[best],
+      this->State.OverlapPercent[best] };
+  }
+
+  void FinishGeneration()
+  {
+    this->State.Convergence.push_back(this->DescribeBest());
+    // A first population that was stopped on the way is none to go on from
+    const bool whole = static_cast<int>(this->State.Centres.size()) == this->Settings.Population;
+    if (whole)
+    {
+      this->AskAll(this->State.Convergence.back());
+    }
+    if (whole && this->Save)
     {
       this->Save(this->State);
     }
@@ -428,9 +449,8 @@ private:
   const std::function<bool(const SearchState&)>& CarryOn;
   const std::function<void(const PopulationState&)>& Save;
   CellObjective Shared; // evaluates one cell on all ranks
+  MemberMaker Members;
   Window Box;
-  Communicator Serial;
-  std::vector<std::unique_ptr<CellObjective>> OfThread; // each one cell on one thread
   PopulationState State;
   std::int64_t Wish = 0; // to stop, of this rank
   bool Stopped = false;  // agreed by all ranks

@@ -71,12 +71,14 @@ struct PopulationResult
  * of ranks and threads. Member i of the first population, and child j of a generation, are made and
  * evaluated by rank i, j % ranks; the hybrid's descents are shared by all, one after another.
  *
- * `carryOn` is asked on every rank every generation, the first population being generation 0, and
- * in descents every iteration; when it returns false on any, the search ends with the best cell so
- * far, that of the last whole generation. `save`, if any, is given the state after every
- * generation. `resume` is a state to go on from instead of a first population, on any number of
- * ranks; throws std::invalid_argument if it is not one of these contents and settings, or for
- * settings out of range.
+ * `carryOn` is asked on every rank every generation, the first population being generation 0, in
+ * descents every iteration, while overlap is removed for them every few steps, and after every 64
+ * members or children that a rank has made. When it returns false on any rank, the search ends with
+ * the best cell so far, that of the last whole generation or of the members that are made of the
+ * first population. `save`, if any, is given the state after every whole generation. `resume` is a
+ * state to go on from instead of a first population, on any number of ranks; throws
+ * std::invalid_argument if it is not one of these contents and settings, or for settings out of
+ * range.
  */
 PopulationResult SearchByPopulation(const CellContents& contents, const TwoPointProbability& target,
   const PopulationSettings& settings, Communicator& communicator,

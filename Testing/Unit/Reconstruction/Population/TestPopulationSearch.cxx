@@ -10,6 +10,7 @@
 
 #include <omp.h>
 
+#include <atomic>
 #include <limits>
 
 namespace
@@ -344,6 +345,36 @@ TEST(PopulationSearch, StopsWhenItIsTold)
   }
 }
 
+TEST(PopulationSearch, StopsWithinTheFirstPopulation)
+{
+  PopulationSettings settings = Annealed(0);
+  settings.Population = 200;
+  for (int ranks : { 1, 2 })
+  {
+    std::atomic<int> asked(0);
+    oracle::ThreadRanks::Run(ranks,
+      [&](ruc::Communicator& communicator)
+      {
+        bool saved = false;
+        const ruc::PopulationResult result = ruc::SearchByPopulation(
+          TheSearchProblem().Contents, TheSearchProblem().Target, settings, communicator,
+          [&](const ruc::SearchState& state)
+          {
+            EXPECT_EQ(state.Iteration, 0);
+            EXPECT_GT(state.Objective, 0.0);
+            ++asked;
+            return false;
+          },
+          nullptr, [&](const ruc::PopulationState&) { saved = true; });
+        EXPECT_EQ(result.Best.EndedBy, ruc::EndReason::Stopped);
+        EXPECT_FALSE(saved); // there is no whole population to go on from
+        EXPECT_TRUE(result.Best.Overlap.IsNone());
+        EXPECT_GE(result.Before.Mean, result.Before.Minimum);
+      });
+    EXPECT_EQ(asked, ranks); // once on each, after 64 members of each
+  }
+}
+
 TEST(PopulationSearch, IsTheSameForAnyNumberOfRanksAndThreads)
 {
   for (const PopulationSettings& settings : { Annealed(12), Hybrid(6) })
@@ -443,7 +474,8 @@ TEST(PopulationSearch, SettingsOutOfRangeAreRefused)
     "ReheatingGenerations requires", [](PopulationSettings& s) { s.ReheatingGenerations = 0; });
   expect("RefinementSteps requires", [](PopulationSettings& s) { s.RefinementSteps = -1; });
   expect("a sum > 0", [](PopulationSettings& s) { s.OperatorWeights.fill(0.0); });
-  expect("OperatorWeights requires OperatorWeights >= 0, got -1.", [](PopulationSettings& s) { s.OperatorWeights[3] = -1.0; });
+  expect("OperatorWeights requires OperatorWeights >= 0, got -1.",
+    [](PopulationSettings& s) { s.OperatorWeights[3] = -1.0; });
   for (double target : { nan, -1.0 })
   {
     expect("TargetObjective requires TargetObjective >= 0, got",
