@@ -27,7 +27,10 @@ def run():
     cell = servermanager.Fetch(cells)
     assert cell.GetNumberOfPoints() == 1000
     fields = cell.GetFieldData()
-    assert 0 < fields.GetArray("Objective").GetValue(0) < 0.2 and fields.GetArray("Stopped").GetValue(0) == 1
+    assert fields.GetArray("Stopped").GetValue(0) == 1
+    # How far the search comes in three seconds depends on who else uses the cores
+    objectives = [fields.GetArray(name).GetValue(0) for name in ("Objective", "StartObjective")]
+    assert 0 < objectives[0] < objectives[1] and fields.GetArray("OverlapPercent").GetValue(0) == 0, objectives
     # The wish ends one run alone: the next one goes to its own end
     again = UnitCellReconstruction(Input=modes, NumberOfParticles=300, MaximumLag=200, MaximumIterations=3)
     again.UpdatePipeline()
@@ -37,7 +40,7 @@ def run():
 try:
     run()
 except BaseException:
-    traceback.print_exc()
+    os.write(2, traceback.format_exc().encode())  # not through the window, which ends here
     os._exit(1)
 print("stopped as wished", flush=True)
 os._exit(0)  # a script does not end ParaView's window otherwise
