@@ -10,13 +10,13 @@ import argparse
 import math
 import os
 import sys
-import traceback
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 
 from paraview.simple import *
 
+from common import run
 from pictures import SIZE, rgb, ticks
 from statistics_pictures import COLOURS, Charts
 from cells import read_table
@@ -131,7 +131,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Exception:
-        sys.exit(traceback.format_exc())
+    run(main)

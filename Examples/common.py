@@ -10,7 +10,7 @@ import traceback
 
 from paraview.servermanager import Fetch
 from paraview.simple import *
-from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 
@@ -19,8 +19,15 @@ FETCHED = {}  # outputs on this rank, by filter and port
 TABLES = {}  # the same as Python values
 
 
+def stop_on_error():
+    """From here on an error of a reader, a filter or a writer, once ParaView has printed it, ends all ranks with exit code 1. Without
+    this the script goes on with empty outputs. The exit is at once: what else a rank does at its end may wait for the others."""
+    vtkOutputWindow.GetInstance().AddObserver("ErrorEvent", lambda *_: os._exit(1))
+
+
 def run(main, *arguments):
     """A job whose errors end all ranks. Under mpirun an exception that leaves the script would keep the other ranks waiting for ever."""
+    stop_on_error()
     try:
         main(*arguments)
     except Exception:
@@ -76,7 +83,7 @@ def sort_spheres(pack, args):
 
 
 def fetch(source, port=0):
-    """The whole output on this rank. A filter that failed has printed why, and its output is empty."""
+    """The whole output on this rank."""
     key = (source.GetGlobalIDAsString(), port)
     if key in FETCHED:
         return FETCHED[key]

@@ -12,8 +12,9 @@ import math
 import os
 import struct
 import sys
-import traceback
 import zlib
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from paraview.servermanager import Fetch
 from paraview.simple import *
@@ -21,6 +22,8 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkImagingColor import vtkImageQuantizeRGBToIndex
 from vtkmodules.vtkIOImage import vtkPNGReader
+
+from common import run
 
 SIZE = [1200, 900]
 BLACK, WHITE, GREY = [0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [0.35, 0.35, 0.35]
@@ -242,7 +245,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Exception:
-        sys.exit(traceback.format_exc())
+    run(main)

@@ -6,8 +6,13 @@
 """
 import argparse
 import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from paraview.simple import *
+
+from common import run
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.path.join("Data", "bead_block.csv")  # as the states name it: below the folder of this script
@@ -109,4 +114,4 @@ def main():
         ResetSession()
 
 
-main()
+run(main)

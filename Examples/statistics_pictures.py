@@ -10,7 +10,6 @@ import argparse
 import math
 import os
 import sys
-import traceback
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
@@ -18,6 +17,7 @@ sys.path.insert(0, HERE)
 from paraview.servermanager import Fetch
 from paraview.simple import *
 
+from common import run
 from pictures import BLACK, Pictures, read_table, ticks
 
 COLOURS = ["#222222", "#bb3344", "#0077bb", "#ee7733", "#117733", "#aa4499"]
@@ -196,7 +196,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Exception:
-        sys.exit(traceback.format_exc())
+    run(main)

@@ -10,7 +10,6 @@ import argparse
 import math
 import os
 import sys
-import traceback
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
@@ -21,6 +20,7 @@ from paraview.simple import *
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
+from common import run
 from pictures import BLACK, SIZE, read_table, ticks, to_palette
 from statistics_pictures import COLOURS, Charts
 
@@ -207,7 +207,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Exception:
-        sys.exit(traceback.format_exc())
+    run(main)

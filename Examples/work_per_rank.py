@@ -120,8 +120,10 @@ def write_table(args, table):
 
 
 def draw(args, table):
-    from statistics_pictures import Charts  # only here, since ParaView is not wanted elsewhere
+    from common import stop_on_error  # only here, since ParaView is not wanted elsewhere
+    from statistics_pictures import Charts
 
+    stop_on_error()
     charts, ranks = Charts(args.output), table["Ranks"]
     labels = [2.0**i for i in range(24) if 2.0**i <= args.ranks]
     view = charts.chart("ranks", "efficiency of shared work, counted", labels, [0.2 * i for i in range(6)])

@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python of the READMEs runs as it is printed, and what it saves is what was computed, with every digit and the box of the cell.
+
+    pvbatch readme.py FOLDER     FOLDER for its files
+"""
+import csv
+import os
+import re
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+from paraview.simple import *
+
+from harness import RANKS, columns, fetch, run
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+FOLDER = os.path.join(sys.argv[1], 'readme_%d' % RANKS)
+ARRAYS = ('Radius', 'Mode', 'Id')
+
+
+def link(name, *target):
+    if not os.path.lexists(name):
+        os.symlink(os.path.join(ROOT, 'Examples', *target), name)
+
+
+def blocks(*path):
+    with open(os.path.join(ROOT, *path), encoding='utf-8') as file:
+        return re.findall(r'```python\n(.*?)```', file.read(), re.DOTALL)
+
+
+def spheres(data):
+    arrays = [data.GetPointData().GetArray(name) for name in ARRAYS]
+    return sorted((*data.GetPoint(i), *(array.GetValue(i) for array in arrays)) for i in range(data.GetNumberOfPoints()))
+
+
+def box(data):
+    return [[data.GetFieldData().GetArray(name).GetValue(i) for i in range(3)] for name in ('BoxOrigin', 'BoxSize', 'BoxPeriodic')]
+
+
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def numbers(name):
+    """{column: list of numbers, and of texts}"""
+    with open(name, newline='', encoding='utf-8') as file:
+        header, *rows = csv.reader(file)
+    return {column: list(map(number, values)) for column, values in zip(header, zip(*rows))}
+
+
+def require_cell_file(cell):
+    again = fetch(OpenDataFile('cell.pvtp'))
+    assert spheres(again) == spheres(cell) and box(again) == box(cell) and len(spheres(cell)) == 1082
+    # It is a pack with its window again
+    modes = ParticleModes(Input=OpenDataFile('cell.pvtp'), Method='One Per Size')
+    assert box(fetch(modes)) == box(cell)
+
+
+def require_files(names):
+    cell = fetch(names['cell'])
+    require_cell_file(cell)
+    table = numbers('cell.csv')
+    assert sorted(zip(*(table[name] for name in ('Points:0', 'Points:1', 'Points:2', *ARRAYS)))) == spheres(cell)
+    fields = numbers('cell_box.csv')
+    assert [fields[name][:3] for name in ('BoxOrigin', 'BoxSize', 'BoxPeriodic')] == box(cell), fields
+    assert numbers('probabilities.csv') == columns(names['probabilities'])
+
+
+def readme():
+    """Each block goes on where the one before ended."""
+    names = {}
+    for n, block in enumerate(blocks('README.md')):
+        exec(compile(block, 'README.md, block %d' % (n + 1), 'exec'), names)
+        if 'cell_box.csv' in block:
+            require_files(names)
+    assert len(columns(names['cells'], 4)['Seed']) == 5
+
+
+def shortest_script():
+    ResetSession()
+    os.remove('cell.pvtp')
+    names = {}
+    for block in blocks('Examples', 'README.md'):
+        exec(compile(block, 'Examples/README.md', 'exec'), names)
+    require_cell_file(fetch(names['cell']))
+    assert numbers('two_point.csv') == columns(names['cell'], 2)
+
+
+os.makedirs(FOLDER, exist_ok=True)
+os.chdir(FOLDER)
+for file in os.listdir():
+    if os.path.isfile(file):
+        os.remove(file)
+link('bead_block.csv', 'Data', 'bead_block.csv')
+link('Data', 'Data')
+run((readme, shortest_script))
