@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SphereSurface.h"
 
+#include "ruc/Base/Vector3.h"
 #include "ruc/Window/ConvexSurface.h"
 
 #include "vtkCellArray.h"
@@ -10,10 +11,25 @@
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
 
+#include <cmath>
 #include <vector>
 
 namespace
 {
+void MakeSphere(const ruc::Vector3& centre, double radius, int resolution, vtkPolyData* surface)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(centre[0], centre[1], centre[2]);
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(resolution);
+  sphere->SetPhiResolution(resolution / 2 + 1);
+  sphere->GenerateNormalsOff(); // they would be wrong on the cut faces
+  // Copies of a sphere are to have the same cuts on opposite faces
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  surface->ShallowCopy(sphere->GetOutput());
+}
+
 ruc::ConvexSurface ToConvex(vtkPolyData* surface)
 {
   ruc::ConvexSurface convex;
@@ -31,10 +47,10 @@ ruc::ConvexSurface ToConvex(vtkPolyData* surface)
   return convex;
 }
 
-// Faces of many corners, the cuts, around their middle, which has no slivers
+// Faces of more than three corners around their middle: a cut meets the diagonal of two facets in
+// one plane, and has three corners on a line there, which make no triangle
 void FillTriangles(const ruc::ConvexSurface& convex, vtkPolyData* surface)
 {
-  constexpr std::size_t mostCornersOfAFacet = 6;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> triangles;
@@ -49,12 +65,9 @@ void FillTriangles(const ruc::ConvexSurface& convex, vtkPolyData* surface)
   };
   for (const std::vector<int>& face : convex.Faces)
   {
-    if (face.size() <= mostCornersOfAFacet)
+    if (face.size() == 3)
     {
-      for (std::size_t k = 1; k + 1 < face.size(); ++k)
-      {
-        insert(face[0], face[k], face[k + 1]);
-      }
+      insert(face[0], face[1], face[2]);
       continue;
     }
     ruc::Vector3 middle{};
@@ -77,19 +90,34 @@ void FillTriangles(const ruc::ConvexSurface& convex, vtkPolyData* surface)
 }
 }
 
+SphereSurface::Facets SphereSurface::Measure(int resolution)
+{
+  vtkNew<vtkPolyData> surface;
+  MakeSphere({ 0.0, 0.0, 0.0 }, 1.0, resolution, surface);
+  const ruc::ConvexSurface facets = ToConvex(surface);
+  double volume = 0.0, area = 0.0;
+  for (const std::vector<int>& face : facets.Faces)
+  {
+    const ruc::Vector3& a = facets.Points[face[0]];
+    for (std::size_t k = 1; k + 1 < face.size(); ++k)
+    {
+      const ruc::Vector3 &b = facets.Points[face[k]], &c = facets.Points[face[k + 1]];
+      volume += ruc::Dot(a, ruc::Cross(b, c)) / 6.0;
+      area += ruc::Length(ruc::Cross({ b[0] - a[0], b[1] - a[1], b[2] - a[2] },
+                { c[0] - a[0], c[1] - a[1], c[2] - a[2] })) /
+        2.0;
+    }
+  }
+  const double ofSphere = 4.0 / 3.0 * ruc::Pi;
+  const double radius = std::cbrt(ofSphere / volume);
+  return { radius, 100.0 * (volume * radius * radius * radius / ofSphere - 1.0),
+    100.0 * (area * radius * radius / (3.0 * ofSphere) - 1.0) };
+}
+
 void SphereSurface::Fill(const ruc::Vector3& centre, double radius, const ruc::Window& box,
   int resolution, vtkPolyData* surface)
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(centre[0], centre[1], centre[2]);
-  sphere->SetRadius(radius);
-  sphere->SetThetaResolution(resolution);
-  sphere->SetPhiResolution(resolution / 2 + 1);
-  sphere->GenerateNormalsOff(); // they would be wrong on the cut faces
-  // Copies of a sphere are to have the same cuts on opposite faces
-  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  sphere->Update();
-  surface->ShallowCopy(sphere->GetOutput());
+  MakeSphere(centre, radius, resolution, surface);
   ruc::ConvexSurface cut;
   for (int q = 0; q < 3; ++q)
   {

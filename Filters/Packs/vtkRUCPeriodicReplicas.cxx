@@ -93,8 +93,21 @@ void FillPoints(const Copies& copies, vtkPolyData* output)
   output->GetPointData()->AddArray(images);
 }
 
+// Every sphere whose facets, with corners at `scale` radii, reach into the block
+Copies TakeCopiesOfFacets(
+  const Copies& all, const ruc::Window& block, double scale, const std::array<int, 3>& tiles)
+{
+  ruc::SpherePack corners = all.Pack;
+  for (double& radius : corners.Radius)
+  {
+    radius *= scale;
+  }
+  return TakeCopies(all, block, ruc::BoundaryCopies(corners, block), tiles);
+}
+
 // Every point of a surface takes the arrays of its centre
-void FillSurfaces(const Copies& copies, const ruc::Window& box, int resolution, vtkPolyData* output)
+void FillSurfaces(
+  const Copies& copies, const ruc::Window& box, int resolution, double scale, vtkPolyData* output)
 {
   vtkNew<vtkPolyData> points;
   FillPoints(copies, points);
@@ -102,7 +115,8 @@ void FillSurfaces(const Copies& copies, const ruc::Window& box, int resolution, 
   for (std::size_t i = 0; i < copies.Pack.Size(); ++i)
   {
     vtkNew<vtkPolyData> surface;
-    SphereSurface::Fill(copies.Pack.Centre(i), copies.Pack.Radius[i], box, resolution, surface);
+    SphereSurface::Fill(
+      copies.Pack.Centre(i), scale * copies.Pack.Radius[i], box, resolution, surface);
     vtkPointData* data = surface->GetPointData();
     data->Initialize();
     data->CopyAllocate(points->GetPointData(), surface->GetNumberOfPoints());
@@ -206,7 +220,7 @@ void vtkRUCPeriodicReplicas::Execute(
     { box.Size[0] * tiles[0], box.Size[1] * tiles[1], box.Size[2] * tiles[2] }, box.Periodic);
   ruc::WrapIntoBox(observed.Pack, box);
   const Copies all = TileAll(observed.Pack, box, tiles);
-  const Copies filled = this->Mode == BOUNDARY_COPIES || this->ClipToBox
+  const Copies filled = this->Mode == BOUNDARY_COPIES
     ? TakeCopies(all, block, ruc::BoundaryCopies(all.Pack, block), tiles)
     : Copies(); // every sphere that reaches into the block
   const Copies& shown = this->Mode == BOUNDARY_COPIES ? filled : all;
@@ -218,8 +232,14 @@ void vtkRUCPeriodicReplicas::Execute(
   }
   if (this->ClipToBox)
   {
-    FillSurfaces(
-      ShareOf(filled, ranks), block, this->SurfaceResolution, vtkPolyData::GetData(outputs, 2));
+    const SphereSurface::Facets facets = SphereSurface::Measure(this->SurfaceResolution);
+    const Copies cut = TakeCopiesOfFacets(all, block, facets.Radius, tiles);
+    vtkPolyData* surfaces = vtkPolyData::GetData(outputs, 2);
+    FillSurfaces(ShareOf(cut, ranks), block, this->SurfaceResolution, facets.Radius, surfaces);
+    PackData::AddField(
+      surfaces, "VolumeErrorPercent", std::vector<double>{ facets.VolumeErrorPercent });
+    PackData::AddField(
+      surfaces, "AreaErrorPercent", std::vector<double>{ facets.AreaErrorPercent });
   }
   this->AddSummary(observed, tiles, block, shown.Pack.Size(), outputs);
 }

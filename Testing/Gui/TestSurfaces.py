@@ -75,30 +75,41 @@ for c in range(surfaces.GetNumberOfCells()):
                     area[key] = area.get(key, 0.0) + abs(normal[q]) / 2
                     corners.setdefault(key, set()).update(p[:q] + p[q + 1:] for p in points)
 
-# Each sphere's pieces make up the polyhedron in the sphere, which holds a ball: the facets' planes are at least r cos(w) from the
-# centre, w the angle from the middle of a facet to its corners. The pieces add to it to within the rounding of its corners.
+# Each sphere's pieces make up its polyhedron, whose volume is the sphere's to within the rounding of its corners. The facets' planes are
+# at least cos(w) of the corners' distance from the centre, w the angle from the middle of a facet to its corners.
 pieces = {}
 for (original, _), part in volume.items():
     assert part > 0.0
     pieces.setdefault(original, []).append(part)
 assert sorted(pieces) == list(range(len(radius)))
-w = math.hypot(math.pi / RESOLUTION, math.pi / 2 / (RESOLUTION // 2))
 whole = {}
+w = math.hypot(math.pi / RESOLUTION, math.pi / 2 / (RESOLUTION // 2))
+# The volume of the polyhedron with corners at 1, of rings of RESOLUTION corners between the poles: each layer is a frustum of a pyramid
+heights = [math.cos(math.pi * k / (RESOLUTION // 2)) for k in range(RESOLUTION // 2 + 1)]
+polygon = RESOLUTION / 2 * math.sin(2 * math.pi / RESOLUTION)
+rings = [polygon * (1 - z * z) for z in heights]
+inside = sum((top - below) * (a + b + math.sqrt(abs(a * b))) / 3 for top, below, a, b in zip(heights, heights[1:], rings, rings[1:]))
+scale = (4 / 3 * math.pi / inside)**(1 / 3)
+assert 1.0 < scale < 1.0 / math.cos(w)
+errors = [surfaces.GetFieldData().GetArray(name).GetValue(0) for name in ("VolumeErrorPercent", "AreaErrorPercent")]
+assert abs(errors[0]) < 1e-10 and 0.0 < errors[1] < 100.0 * (scale**2 - 1.0), errors
+total = sum(sum(parts) for parts in pieces.values())
+assert abs(total / sum(4 / 3 * math.pi * r**3 for r in radius) - 1.0) < 1e-8, total
 for original, parts in pieces.items():
     r = radius[original]
     share = sum(parts) / (4 / 3 * math.pi * r**3)
-    assert math.cos(w)**3 <= share <= 1.0, (original, share)
     whole.setdefault(r, []).append(share)
-    crossed = sum(c - r < 0.0 or c + r > EDGE for c in centre[original])
-    assert (len(parts) > 1) == (crossed > 0), (original, len(parts))
+    # Between planes and corners it depends on how the facets lie
+    reach = min(min(c, EDGE - c) for c in centre[original]) / (scale * r)
+    assert len(parts) == 1 if reach > 1.0 else len(parts) > 1 or reach > math.cos(w), (original, len(parts), reach)
 for r, shares in whole.items():
-    assert max(shares) - min(shares) < 2 * 4 * math.pi * r**2 * ROUNDING / (4 / 3 * math.pi * r**3), (r, min(shares), max(shares))
+    assert max(abs(share - 1.0) for share in shares) < 4 * math.pi * r**2 * ROUNDING / (4 / 3 * math.pi * r**3), (r, min(shares), max(shares))
 assert {len(parts) for parts in pieces.values()} >= {1, 2, 4}  # also edges of the box
 
 # A cap of a sphere that one face alone cuts against the segment's formula: the polygon in the circle
 caps = 0
 for (original, others, q, side), value in area.items():
-    r, c = radius[original], centre[original]
+    r, c = scale * radius[original], centre[original]
     if all(r < c[p] < EDGE - r for p in range(3) if p != q):
         height = min(c[q], EDGE - c[q])
         share = value / (math.pi * (r**2 - height**2))
