@@ -6,6 +6,7 @@
 #include "PackEstimate.h"
 #include "PackInput.h"
 #include "RankCommunicator.h"
+#include "ruc/Base/Text.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -34,7 +35,24 @@ void vtkRUCPackAlgorithm::Execute(
 {
   const vtkSmartPointer<vtkPointSet> points =
     PackInput::Find(vtkDataObject::GetData(inputs[0]), ranks);
+  std::int64_t spheres = points ? points->GetNumberOfPoints() : 0;
+  ranks.Sum(&spheres, 1);
+  this->SpheresFound = spheres;
+  this->CheckMemory(ranks);
+  this->SpheresFound = 0;
   this->Execute(points.Get(), outputs, ranks);
+}
+
+void vtkRUCPackAlgorithm::CheckMemory(RankCommunicator& ranks)
+{
+  double negative = -this->GetMemoryToCheck();
+  ranks.Minimum(&negative, 1);
+  if (-negative > 0.0 && !(-negative <= this->MemoryLimit))
+  {
+    this->SpheresFound = 0;
+    throw std::invalid_argument(ruc::Text("MemoryLimit requires at least ", std::ceil(-negative),
+      " MB on every rank for this input with these properties, got ", this->MemoryLimit, "."));
+  }
 }
 
 PackData::WindowProperties vtkRUCPackAlgorithm::GetWindowProperties() const
@@ -55,7 +73,7 @@ std::optional<ruc::PackFigures> vtkRUCPackAlgorithm::FindFigures()
 {
   const RankCommunicator ranks(this->GetController());
   return PackEstimate::FindFigures(PackInput::FindHere(this->GetInputDataObject(0, 0)),
-    this->GetWindowProperties(), static_cast<double>(this->SpheresInInput), ranks.Size());
+    this->GetWindowProperties(), static_cast<double>(this->GetKnownSpheres()), ranks.Size());
 }
 
 std::optional<ruc::Estimate> vtkRUCPackAlgorithm::MakeEstimate()
@@ -76,6 +94,11 @@ std::optional<ruc::Estimate> vtkRUCPackAlgorithm::FindEstimate()
   }
 }
 
+ruc::Estimate vtkRUCPackAlgorithm::EstimateRegion()
+{
+  return {};
+}
+
 double vtkRUCPackAlgorithm::GetEstimatedTime()
 {
   const RankCommunicator ranks(this->GetController());
@@ -86,9 +109,13 @@ double vtkRUCPackAlgorithm::GetEstimatedTime()
 double vtkRUCPackAlgorithm::GetEstimatedMemory()
 {
   const RankCommunicator ranks(this->GetController());
-  const std::optional<ruc::Estimate> estimate = this->FindEstimate();
-  return estimate ? KnownOrZero(estimate->MegabytesOfRank + estimate->MegabytesOfAll / ranks.Size())
-                  : 0.0;
+  std::optional<ruc::Estimate> estimate = this->FindEstimate();
+  if (!estimate)
+  {
+    return 0.0;
+  }
+  *estimate += this->EstimateRegion();
+  return KnownOrZero(estimate->MegabytesOfRank + estimate->MegabytesOfAll / ranks.Size());
 }
 
 const char* vtkRUCPackAlgorithm::GetAutomaticValues()
@@ -111,4 +138,5 @@ void vtkRUCPackAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CylinderRadius: " << this->CylinderRadius << "\n";
   os << indent << "CylinderHeight: " << this->CylinderHeight << "\n";
   os << indent << "CropToWindow: " << this->CropToWindow << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

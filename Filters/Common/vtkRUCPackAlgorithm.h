@@ -79,6 +79,13 @@ public:
   vtkIdType GetSpheresInInput() const { return this->SpheresInInput; }
   ///@}
 
+  ///@{
+  /** What every rank may use, in megabytes of 10^6 bytes: a run whose estimate (GetEstimatedMemory)
+   * is above that on any rank is refused on all before it begins. Default: 4000. */
+  vtkSetMacro(MemoryLimit, double);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
   /**
    * What a run with the properties as they are would take on an even pack: seconds, with the work
    * shared by all ranks and their threads, and megabytes of 10^6 bytes on every rank. Told from the
@@ -107,6 +114,19 @@ protected:
   /** What the estimates are made of, from figures of the pack; none where they are not known. May
    * throw std::invalid_argument for what a run would refuse, which then has no estimates either. */
   virtual std::optional<ruc::Estimate> MakeEstimate();
+  /** What comes to that for a region to sample, as far as it is known; nothing by default. */
+  virtual ruc::Estimate EstimateRegion();
+  /** The part of the estimated memory that is held against MemoryLimit before a run; all of it by
+   * default. */
+  virtual double GetMemoryToCheck() { return this->GetEstimatedMemory(); }
+  /** Collective: throws std::invalid_argument, the same on every rank, where that is above
+   * MemoryLimit on any rank. What is not known on any is taken. */
+  void CheckMemory(RankCommunicator& ranks);
+  /** How many spheres all ranks have, while that is known or set; else 0. */
+  vtkIdType GetKnownSpheres() const
+  {
+    return this->SpheresFound > 0 ? this->SpheresFound : this->SpheresInInput;
+  }
   /** The pack as this rank alone knows it, none where it does not. */
   std::optional<ruc::PackFigures> FindFigures();
 
@@ -127,6 +147,8 @@ private:
   double CylinderHeight = 0.0;
   bool CropToWindow = false;
   vtkIdType SpheresInInput = 0;
+  vtkIdType SpheresFound = 0; // at the beginning of a run
+  double MemoryLimit = 4000.0;
   std::string AutomaticValues;
 };
 

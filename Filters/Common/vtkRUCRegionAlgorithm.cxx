@@ -5,12 +5,15 @@
 #include "MaskData.h"
 #include "PackData.h"
 #include "RankCommunicator.h"
+#include "ruc/Base/Estimate.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Tracing/SamplingRegion.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -38,6 +41,31 @@ int vtkRUCRegionAlgorithm::FillInputPortInformation(int port, vtkInformation* in
 bool vtkRUCRegionAlgorithm::HasMask()
 {
   return this->GetNumberOfInputConnections(1) > 0;
+}
+
+ruc::Estimate vtkRUCRegionAlgorithm::EstimateRegion()
+{
+  constexpr double bytesPerVoxel = 4.0;   // sent, received and put together
+  constexpr double bytesOfErosion = 11.0; // with the distance from the border
+  vtkInformation* info = this->HasMask() ? this->GetInputInformation(1, 0) : nullptr;
+  vtkImageData* piece = info ? vtkImageData::GetData(info) : nullptr;
+  // That of the whole image where its source tells it, else of what is on this rank
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  if (piece)
+  {
+    piece->GetExtent(extent);
+  }
+  if (info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  }
+  double voxels = 1.0;
+  for (int q = 0; q < 3; ++q)
+  {
+    voxels *= std::max(extent[2 * q + 1] - extent[2 * q] + 1.0, 0.0);
+  }
+  const double bytes = this->WindowMargin == 0.0 ? bytesPerVoxel : bytesOfErosion;
+  return { 0.0, voxels * bytes / ruc::BytesOfMegabyte, 0.0 };
 }
 
 std::unique_ptr<ruc::SamplingRegion> vtkRUCRegionAlgorithm::MakeRegion(

@@ -50,7 +50,8 @@ public:
   vtkGetCharFromStdStringMacro(MaskArray);
   ///@}
   ///@{
-  /** Value of the voxels that are inside. Default: 0, all voxels of another value than 0. */
+  /** Value of the voxels that are inside. Default: 0, all voxels of another value than 0.
+   * A value that is not a number is outside. */
   vtkSetMacro(MaskLabel, int);
   vtkGetMacro(MaskLabel, int);
   ///@}
@@ -72,6 +73,9 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
   bool HasMask();
+
+  /** The mask, which every rank holds while a region is made of it. */
+  ruc::Estimate EstimateRegion() override;
 
   /** Collective; the same region on every rank. Throws std::invalid_argument where nothing is left
    * of it. */

@@ -3,8 +3,10 @@
 #include "vtkRUCPeriodicReplicas.h"
 
 #include "PackData.h"
+#include "PackInput.h"
 #include "RankCommunicator.h"
 #include "SphereSurface.h"
+#include "ruc/Base/Estimate.h"
 #include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Particles/PeriodicReplicas.h"
@@ -23,6 +25,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -265,6 +268,31 @@ void vtkRUCPeriodicReplicas::AddSummary(const PackData::ObservedPack& observed,
       PackData::AddWindow(data, block);
     }
   }
+}
+
+std::optional<ruc::Estimate> vtkRUCPeriodicReplicas::MakeEstimate()
+{
+  constexpr double secondsPerCopy = 1e-6, secondsPerFacet = 1e-6;
+  constexpr double bytesPerCopy = 110.0, bytesPerTile = 600.0; // on every rank
+  constexpr double bytesPerPoint = 100.0, bytesPerFacet = 130.0;
+  const vtkSmartPointer<vtkPointSet> input = PackInput::FindHere(this->GetInputDataObject(0, 0));
+  const vtkIdType points = input ? input->GetNumberOfPoints() : 0;
+  const double spheres = static_cast<double>(std::max(points, this->GetKnownSpheres()));
+  // At the border of a box about as many again
+  const double tiles = this->Mode == TILING
+    ? static_cast<double>(this->Tiles[0]) * this->Tiles[1] * this->Tiles[2]
+    : 2.0;
+  const double copies = spheres * tiles;
+  const double facets =
+    this->ClipToBox ? copies * this->SurfaceResolution * this->SurfaceResolution : 0.0;
+  ruc::Estimate estimate;
+  estimate.Seconds = copies * secondsPerCopy + facets * secondsPerFacet;
+  estimate.MegabytesOfRank =
+    (copies * bytesPerCopy * (this->ClipToBox ? 2.0 : 1.0) + tiles * bytesPerTile) /
+    ruc::BytesOfMegabyte;
+  estimate.MegabytesOfAll =
+    (copies * bytesPerPoint + facets * bytesPerFacet) / ruc::BytesOfMegabyte;
+  return estimate;
 }
 
 void vtkRUCPeriodicReplicas::PrintSelf(ostream& os, vtkIndent indent)

@@ -5,6 +5,7 @@
 #include "PackEstimate.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
+#include "ruc/Statistics/PairSums/PairKernel.h"
 #include "ruc/Statistics/Results/LagLimit.h"
 
 #include "vtkTable.h"
@@ -57,6 +58,10 @@ ruc::Estimate OfSearch(const ruc::CellFigures& cell, const ruc::LagGrid& lags,
   ruc::Estimate estimate = search.IsByPopulation()
     ? ruc::EstimatePopulationSearch(cell, lags, search.FindPopulation())
     : ruc::EstimateGradientSearch(cell, lags, search.Gradient.MaximumIterations);
+  const double classes = 0.5 * cell.Modes * (cell.Modes + 1.0);
+  estimate.MegabytesOfRank += classes *
+    ruc::PairKernel::TableBytes(cell.LargestRadius, cell.LargestRadius, lags, ruc::SearchKnots) /
+    ruc::BytesOfMegabyte;
   estimate.Seconds = std::min(estimate.Seconds * search.NumberOfCells, longest);
   return estimate;
 }

@@ -201,6 +201,7 @@ void vtkRUCUnitCellReconstruction::Execute(
     return;
   }
   this->CheckProperties();
+  this->CheckMemory(ranks);
   ProgressReport report(this, this->GetLabel());
   const ruc::TwoPointProbability target = ProbabilityTable::Read(table, "Input", ranks);
   ruc::RequireProbabilities(target, TargetTolerance);
@@ -240,6 +241,7 @@ void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents
   const ruc::TwoPointProbability& target, const std::string& lengthUnit,
   vtkInformationVector* outputs, RankCommunicator& ranks, ProgressReport& report)
 {
+  ruc::LagLimit::ForCell(contents.Edge).Check(target.Lags);
   const double most = this->Search.IsByPopulation() ? this->Search.Annealed.MaximumGenerations + 1.0
                                                     : this->Search.Gradient.MaximumIterations + 3.0;
   CellSearch::Callbacks callbacks;

@@ -5,6 +5,8 @@
 #include "ruc/Base/Text.h"
 #include "ruc/Statistics/Results/LagLimit.h"
 
+#include <limits>
+
 ruc::LagGrid StatisticsEstimate::FindLags(
   double maximum, int count, const ruc::PackFigures& pack, bool exact)
 {
@@ -27,9 +29,13 @@ ruc::Estimate StatisticsEstimate::OfPack(
 
 std::optional<double> StatisticsEstimate::NumberOfSamples(const ruc::SamplingSettings& settings)
 {
-  if (settings.TargetError > 0.0 || settings.Samples < 1)
+  if (settings.Samples < 1)
   {
     return {};
+  }
+  if (settings.TargetError > 0.0)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
   }
   return static_cast<double>(settings.Samples);
 }

@@ -17,7 +17,7 @@ ruc::LagGrid FindLags(double maximum, int count, const ruc::PackFigures& pack, b
  * for. */
 ruc::Estimate OfPack(const ruc::PackFigures& pack, double maximum, const ruc::LagGrid& lags);
 
-/** How many samples the settings ask for; none where only samples tell, because a TargetError is
- * asked for. */
+/** How many samples the settings ask for; none where there are no such samples, and not a number
+ * where only samples tell, because a TargetError is asked for: the memory is known then. */
 std::optional<double> NumberOfSamples(const ruc::SamplingSettings& settings);
 }

@@ -9,6 +9,7 @@
 #include "RankCommunicator.h"
 #include "StatisticsEstimate.h"
 #include "TwoPointTables.h"
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Particles/PackOverlap.h"
 #include "ruc/Statistics/PairSums/DirectionalProbability.h"
@@ -27,6 +28,9 @@ vtkStandardNewMacro(vtkRUCDirectionalProbability);
 namespace
 {
 const char* const MethodNames[] = { "Exact Pair Sum", "Chord Sampling" };
+// A value and its error, in the result and in the table, of half of the ordered pairs
+constexpr double BytesPerValue = 16.0;
+constexpr double BytesPerVector = 100.0;
 }
 
 vtkRUCDirectionalProbability::vtkRUCDirectionalProbability()
@@ -137,7 +141,8 @@ std::optional<ruc::Estimate> vtkRUCDirectionalProbability::MakeEstimate()
   const bool exact = this->Method == EXACT_PAIR_SUM;
   const ruc::LagGrid lags =
     StatisticsEstimate::FindLags(this->MaximumLag, this->NumberOfLags, *pack, exact);
-  const int directions = static_cast<int>(ruc::EvenDirections(this->NumberOfDirections).size());
+  const int directions = this->NumberOfDirections;
+  ruc::Require(directions >= 2, "NumberOfDirections", "a number >= 2", directions);
   ruc::Estimate estimate = StatisticsEstimate::OfPack(*pack, this->MaximumLag, lags);
   if (exact)
   {
@@ -152,6 +157,10 @@ std::optional<ruc::Estimate> vtkRUCDirectionalProbability::MakeEstimate()
   ruc::Estimate chords = ruc::EstimateChords(*pack, lags, *lines);
   chords.Seconds *= directions;
   estimate += chords;
+  estimate.MegabytesOfRank += directions *
+    ((pack->Modes + 1.0) * (pack->Modes + 2.0) * (lags.Count + 1.0) * BytesPerValue +
+      BytesPerVector) /
+    ruc::BytesOfMegabyte;
   return estimate;
 }
 

@@ -6,6 +6,7 @@
 #include "PackData.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
+#include "StatisticsEstimate.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Particles/PackOverlap.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
@@ -113,6 +114,31 @@ ruc::SampledTwoPoint vtkRUCOnePointProbability::Sample(const PackData::SharedPac
       sampled.Stopped });
   OutputSummary::WarnOfStop(this, this->GetLabel(), sampled.Stopped, ranks);
   return sampled;
+}
+
+std::optional<ruc::Estimate> vtkRUCOnePointProbability::MakeEstimate()
+{
+  this->ValidateProperties();
+  const std::optional<ruc::PackFigures> pack = this->FindFigures();
+  if (!pack)
+  {
+    return {};
+  }
+  const ruc::LagGrid noLags = { 1.0, 0 };
+  const bool throws = this->Method == TEMPLATE_SAMPLING;
+  ruc::Estimate estimate = ruc::EstimatePack(*pack);
+  if (this->Method != SPHERE_VOLUMES)
+  {
+    const std::optional<double> samples =
+      StatisticsEstimate::NumberOfSamples(this->GetSettings(throws));
+    if (!samples)
+    {
+      return {};
+    }
+    estimate += throws ? ruc::EstimateTemplate(*pack, noLags, *samples)
+                       : ruc::EstimateChords(*pack, noLags, *samples);
+  }
+  return estimate;
 }
 
 void vtkRUCOnePointProbability::PrintSelf(ostream& os, vtkIndent indent)

@@ -6,8 +6,9 @@
  *
  * Input: a sphere pack with `Mode` (vtkRUCPackAlgorithm), and for the sampled methods an optional
  * mask (vtkRUCSamplingAlgorithm). Output, whole on rank 0: the table `Phase` ("1", "2", …, "m" for
- * the matrix), `VolumeFraction`, and of a sampled method `VolumeFraction_error` (standard error). By
- * how much the fractions of one pack differ from those of another is not known from Sphere Volumes.
+ * the matrix), `VolumeFraction`, and of a sampled method `VolumeFraction_error` (standard error).
+ * By how much the fractions of one pack differ from those of another is not known from Sphere
+ * Volumes.
  *
  * Sphere Volumes: c_r = volume of the spheres of mode r whose centres lie in the window / volume of
  * the window, c_m = 1 - sum c_r. Where spheres overlap the shared volume counts twice;
@@ -54,6 +55,7 @@ protected:
   const char* GetLabel() const override { return "One-Point Probability"; }
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
+  std::optional<ruc::Estimate> MakeEstimate() override;
 
 private:
   vtkRUCOnePointProbability(const vtkRUCOnePointProbability&) = delete;

@@ -89,12 +89,19 @@ double vtkRUCThreePointProbability::GetEstimatedMemory()
     {
       return 0.0;
     }
-    return this->EstimateMemory(ruc::ParseTriples(this->Phases, number).size(), true, ranks.Size());
+    return this->EstimateMemory(
+             ruc::ParseTriples(this->Phases, number).size(), true, ranks.Size()) +
+      this->EstimateRegion().MegabytesOfRank;
   }
   catch (const std::invalid_argument&)
   {
     return 0.0;
   }
+}
+
+double vtkRUCThreePointProbability::GetMemoryToCheck()
+{
+  return this->EstimateRegion().MegabytesOfRank;
 }
 
 std::optional<ruc::Estimate> vtkRUCThreePointProbability::MakeEstimate()
@@ -174,16 +181,16 @@ ruc::FanSettings vtkRUCThreePointProbability::MakeSettings() const
 }
 
 double vtkRUCThreePointProbability::CheckWork(const ruc::SamplingRegion& region,
-  const ruc::ThreePointGrid& grid, std::size_t triples, const RankCommunicator& ranks) const
+  const ruc::ThreePointGrid& grid, std::size_t triples, const RankCommunicator& ranks)
 {
   ruc::CheckFans(region, grid, this->MakeSettings());
   const double memory = this->EstimateMemory(triples, !region.IsFullyPeriodic(), ranks.Size());
-  if (!(memory <= this->MemoryLimit))
+  if (!(memory <= this->GetMemoryLimit()))
   {
     throw std::invalid_argument(ruc::Text("MemoryLimit requires at least ", std::ceil(memory),
       " MB on every rank for ", triples, triples == 1 ? " triple" : " triples", " of phases, ",
       grid.Lags.Count, " lags and ", grid.Angles(), " angles",
-      this->StandardErrors ? " with standard errors" : "", ", got ", this->MemoryLimit, "."));
+      this->StandardErrors ? " with standard errors" : "", ", got ", this->GetMemoryLimit(), "."));
   }
   return memory;
 }
@@ -271,5 +278,4 @@ void vtkRUCThreePointProbability::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "NumberOfThrows: " << this->NumberOfThrows << "\n";
   os << indent << "StandardErrors: " << this->StandardErrors << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

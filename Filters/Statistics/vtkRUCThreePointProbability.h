@@ -104,12 +104,6 @@ public:
   vtkGetMacro(StandardErrors, bool);
   vtkBooleanMacro(StandardErrors, bool);
   ///@}
-  ///@{
-  /** What a rank may use for counts and image, in megabytes of 10^6 bytes, > 0; more is refused.
-   * Default: 4000. */
-  vtkSetMacro(MemoryLimit, double);
-  vtkGetMacro(MemoryLimit, double);
-  ///@}
 
   /**
    * What a rank would use, in megabytes of 10^6 bytes, with the properties as they are, in a region
@@ -127,6 +121,8 @@ protected:
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
   std::optional<ruc::Estimate> MakeEstimate() override;
+  /** The mask's; that of counts and image is checked once the triples are known. */
+  double GetMemoryToCheck() override;
 
 private:
   vtkRUCThreePointProbability(const vtkRUCThreePointProbability&) = delete;
@@ -139,7 +135,7 @@ private:
   ruc::FanSettings MakeSettings() const;
   // Refuses what cannot be done or would take more than MemoryLimit; returns what it takes
   double CheckWork(const ruc::SamplingRegion& region, const ruc::ThreePointGrid& grid,
-    std::size_t triples, const RankCommunicator& ranks) const;
+    std::size_t triples, const RankCommunicator& ranks);
   ruc::ThreePointProbability Sample(const ruc::PackShare& share, const ruc::SamplingRegion& region,
     const ruc::ThreePointGrid& grid, const std::vector<ruc::PhaseTriple>& triples, double memory,
     RankCommunicator& ranks, ProgressReport& report) const;
@@ -160,7 +156,6 @@ private:
   int NumberOfDirections = 20;
   int NumberOfThrows = 50000;
   bool StandardErrors = false;
-  double MemoryLimit = 4000.0;
 };
 
 #endif

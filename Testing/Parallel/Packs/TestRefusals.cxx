@@ -51,3 +51,22 @@ TEST(PeriodicReplicasRefusals, NoTiles)
       f->SetTiles(0, 1, 1);
     });
 }
+
+TEST(PeriodicReplicasRefusals, TilesThatTakeTooMuchMemory)
+{
+  RefusesSettings<Replicas>(
+    { "Periodic Replicas", "MemoryLimit requires at least", "MB on every rank", "got 4000" },
+    [](Replicas* f)
+    {
+      f->SetMode(Replicas::TILING);
+      f->SetTiles(100, 100, 10);
+    });
+  RefusesSettings<Replicas>({ "Periodic Replicas", "MemoryLimit requires at least", "got 4000" },
+    [](Replicas* f)
+    {
+      f->SetMode(Replicas::TILING);
+      f->SetTiles(10, 10, 2);
+      f->SetClipToBox(true);
+      f->SetSurfaceResolution(256);
+    });
+}

@@ -44,6 +44,24 @@ TEST(CellRefusals, LagBeyondThePack)
     { Name, "MaximumLag requires", "got 11.9" }, [](Cell* f) { f->SetMaximumLag(11.9); }, false);
 }
 
+// Twenty of 600 spheres in a cube of edge 12
+TEST(CellRefusals, LagBeyondTheCell)
+{
+  RefusesSettings<Cell>(
+    { Name, "MaximumLag requires 0 < MaximumLag <= 7.85", "for a cell of edge 3.92", "got 10.5" },
+    [](Cell* f)
+    {
+      f->SetNumberOfParticles(20);
+      f->SetMaximumLag(10.5);
+    });
+}
+
+TEST(CellRefusals, TooLittleMemory)
+{
+  RefusesSettings<Cell>({ Name, "MemoryLimit requires at least", "MB on every rank", "got 0.001" },
+    [](Cell* f) { f->SetMemoryLimit(0.001); });
+}
+
 TEST(CellRefusals, NegativeIterations)
 {
   RefusesSettings<Cell>(

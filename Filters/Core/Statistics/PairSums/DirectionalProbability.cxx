@@ -227,7 +227,7 @@ DirectionalProbability SumPairsAlong(const PackShare& share, const std::vector<V
   const LagGrid& lags, Communicator& ranks, const std::function<void(double)>& progress)
 {
   CheckNumberOfLags(share.NumberOfModes(), lags);
-  LagLimit::ForPairSum(share.Observed, share.LargestRadius).Check(lags.Maximum());
+  LagLimit::ForPairSum(share.Observed, share.LargestRadius).Check(lags);
   CheckDirections(directions, share.NumberOfModes(), lags);
   const DirectionalSum sum(share, lags, ranks);
   DirectionalProbability result;
@@ -322,6 +322,6 @@ Estimate EstimatePairSumAlong(const PackFigures& pack, const LagGrid& lags, int 
       (SecondsPerWeightedPair +
         directions *
           (SecondsPerPairAndDirection + LagsOfPair(pack, lags) * SecondsPerPairDirectionAndLag)),
-    24.0 * directions * PairsOfPhases(pack.Modes) * lags.Count / BytesOfMegabyte, 0.0 };
+    (24.0 * PairsOfPhases(pack.Modes) * lags.Count + 100.0) * directions / BytesOfMegabyte, 0.0 };
 }
 }

@@ -23,6 +23,9 @@ namespace
 // no longer pay
 constexpr std::size_t MostTypes = 256;
 constexpr double LargestHistogram = 1 << 21;
+// Many lags between centre and rim of a sphere make tables larger than this; the few pairs that
+// meet at such lags are then summed one by one
+constexpr double LargestTables = 256e6; // bytes
 
 // Every type of sphere that occurs on any rank, once and in order; more than MostTypes where there
 // are more, but not all of them
@@ -249,7 +252,7 @@ TwoPointProbability SumPairs(const PackShare& share, const LagGrid& lags, Commun
   const std::function<void(double)>& progress)
 {
   CheckNumberOfLags(share.NumberOfModes(), lags);
-  LagLimit::ForPairSum(share.Observed, share.LargestRadius).Check(lags.Maximum());
+  LagLimit::ForPairSum(share.Observed, share.LargestRadius).Check(lags);
   const std::vector<SphereType> types = FindTypes(share.Own, ranks);
   const double cutoff = lags.Maximum() + 2.0 * share.LargestRadius;
   const Window& window = share.Observed;
@@ -258,7 +261,8 @@ TwoPointProbability SumPairs(const PackShare& share, const LagGrid& lags, Commun
     window.IsFullyPeriodic() ? 1.0 : window.Volume() / window.LeastSetCovariance(cutoff);
   const SizeClasses classes(share.Own.Radius, lags.Maximum(), 1.0, ranks);
   const WeightedPairs pairs(share, classes, heaviest, ranks, "MaximumLag");
-  if (types.size() <= MostTypes && PairHistogram::EstimateSize(types, lags) <= LargestHistogram)
+  if (types.size() <= MostTypes && PairHistogram::EstimateSize(types, lags) <= LargestHistogram &&
+    PairHistogram::EstimateTables(types, lags) <= LargestTables)
   {
     return SumBy(TabulatedSum(share, lags, types, pairs), share, lags, pairs, ranks, progress);
   }
@@ -282,12 +286,13 @@ Estimate EstimatePairSum(const PackFigures& pack, const LagGrid& lags)
 {
   const double pairs = pack.PairsWithin(lags.Maximum() + 2.0 * pack.LargestRadius);
   const double classes = 0.5 * pack.Types * (pack.Types + 1.0);
-  if (pack.Types > static_cast<int>(MostTypes))
+  const double tables = classes * PairKernel::TableBytes(pack.MeanRadius, pack.MeanRadius, lags);
+  if (pack.Types > static_cast<int>(MostTypes) || tables > LargestTables)
   {
     return { pairs * (SecondsPerDirectPair + LagsOfPair(pack, lags) * SecondsPerDirectLag),
       16.0 * PairsOfPhases(pack.Modes) * lags.Count / BytesOfMegabyte, 0.0 };
   }
   return { pairs * SecondsPerHistogramPair + classes * lags.Count * SecondsPerClassAndLag,
-    64.0 * classes * lags.Count / BytesOfMegabyte, 0.0 };
+    (64.0 * classes * lags.Count + tables) / BytesOfMegabyte, 0.0 };
 }
 }

@@ -49,6 +49,19 @@ double PairHistogram::EstimateSize(const std::vector<SphereType>& types, const L
   return numbers;
 }
 
+double PairHistogram::EstimateTables(const std::vector<SphereType>& types, const LagGrid& lags)
+{
+  double bytes = 0.0;
+  for (std::size_t p = 0; p < types.size(); ++p)
+  {
+    for (std::size_t q = p; q < types.size(); ++q)
+    {
+      bytes += PairKernel::TableBytes(types[p].Radius, types[q].Radius, lags);
+    }
+  }
+  return bytes;
+}
+
 double PairHistogram::FixedPointScale(
   std::int64_t spheres, std::int64_t mostNeighbours, double heaviest)
 {

@@ -68,6 +68,9 @@ public:
    * whether there are few enough. */
   static double EstimateSize(const std::vector<SphereType>& types, const LagGrid& lags);
 
+  /** Bytes of the tables of all classes. */
+  static double EstimateTables(const std::vector<SphereType>& types, const LagGrid& lags);
+
   /**
    * The largest power of two by which weights up to `heaviest` may be scaled to integers: no sum
    * over `spheres` spheres of up to `mostNeighbours` pairs each reaches 2^62, and no single weight

@@ -75,6 +75,13 @@ double PairKernel::KnotSpacing(
     : lags.Spacing / std::ceil(lags.Spacing / (resolution.Coarsest * smallerRadius));
 }
 
+double PairKernel::TableBytes(
+  double a, double b, const LagGrid& lags, const KnotResolution& resolution)
+{
+  const double step = std::min(lags.Spacing, KnotSpacing(std::min(a, b), lags, resolution));
+  return 2.0 * sizeof(double) * 2.0 * (a + b) / step;
+}
+
 PairKernel::PairKernel(
   double a, double b, const LagGrid& lags, double cutoff, const KnotResolution& resolution)
   : Spacing(KnotSpacing(std::min(a, b), lags, resolution))

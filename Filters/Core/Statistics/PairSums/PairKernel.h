@@ -50,6 +50,10 @@ public:
   static double KnotSpacing(
     double smallerRadius, const LagGrid& lags, const KnotResolution& resolution = ExactKnots);
 
+  /** Bytes of the tables of a kernel: they grow as the lags that fit into the spheres. */
+  static double TableBytes(
+    double a, double b, const LagGrid& lags, const KnotResolution& resolution = ExactKnots);
+
   double First;
   double Spacing;
   int Intervals;
