@@ -140,7 +140,11 @@ private:
     return this->State.Fitness(this->Settings.HalfOverlap);
   }
 
-  int BestMember() const { return RankByFitness(this->FitnessOfAll()).front(); }
+  int BestMember() const
+  {
+    const std::vector<double> fitness = this->FitnessOfAll();
+    return static_cast<int>(std::min_element(fitness.begin(), fitness.end()) - fitness.begin());
+  }
 
   // ---- Generations ----
 
