@@ -112,25 +112,17 @@ void vtkRUCParticleModes::SetEdge(int i, double diameter)
   this->Modified();
 }
 
-void vtkRUCParticleModes::Execute(
-  vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+ruc::ParticleModes vtkRUCParticleModes::FindModes(
+  const std::vector<double>& radii, RankCommunicator& ranks)
 {
-  if (this->Method < EQUAL_WIDTH || this->Method > ONE_PER_SIZE)
-  {
-    throw std::invalid_argument(
-      ruc::Text("Method requires a value from 0 to 3, got ", this->Method, "."));
-  }
-  const PackData::PackPiece pack =
-    PackData::FindPiece(input, this->GetWindowProperties(), false, ranks);
   ruc::ModeSettings settings;
   settings.Method = static_cast<ruc::ModeMethod>(this->Method);
   settings.NumberOfModes = this->NumberOfModes;
   settings.Edges = this->Method == EXPLICIT_EDGES ? this->Edges : std::vector<double>{};
   settings.MinimumDiameter = this->MinimumDiameter;
-  const std::vector<double>& radii = pack.Piece.Spheres().Radius;
   std::vector<double> diameters(radii.size());
   std::transform(radii.begin(), radii.end(), diameters.begin(), [](double r) { return 2.0 * r; });
-  const ruc::ParticleModes modes(std::move(diameters), settings, ranks);
+  ruc::ParticleModes modes(std::move(diameters), settings, ranks);
 
   const int wanted = this->Method == ONE_PER_SIZE ? modes.NumberOfModes()
     : this->Method == EXPLICIT_EDGES              ? this->GetNumberOfEdges() - 1
@@ -142,6 +134,39 @@ void vtkRUCParticleModes::Execute(
                     << " modes would hold no sphere and are left out; the others are numbered 1 to "
                     << modes.NumberOfModes() << ".");
   }
+  return modes;
+}
+
+void vtkRUCParticleModes::AddSummary(
+  vtkDataObject* data, const PackData::PackOrigin& origin, const ruc::ParticleModes& modes) const
+{
+  long long spheres = 0;
+  for (int m = 1; m <= modes.NumberOfModes(); ++m)
+  {
+    spheres += static_cast<long long>(modes.Summary(m).Count);
+  }
+  PackData::AddField(data, "Method", std::string(MethodNames[this->Method]));
+  PackData::AddField(data, "NumberOfSpheres", std::vector<long long>{ spheres });
+  PackData::AddOrigin(data, origin);
+  // Bounds of the centres are a fallback for the table's fractions, not a window to hand on as
+  // observed
+  if (origin.WindowSource != "Bounds of the centres")
+  {
+    PackData::AddWindow(data, origin.Observed);
+  }
+}
+
+void vtkRUCParticleModes::Execute(
+  vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
+{
+  if (this->Method < EQUAL_WIDTH || this->Method > ONE_PER_SIZE)
+  {
+    throw std::invalid_argument(
+      ruc::Text("Method requires a value from 0 to 3, got ", this->Method, "."));
+  }
+  const PackData::PackPiece pack =
+    PackData::FindPiece(input, this->GetWindowProperties(), false, ranks);
+  const ruc::ParticleModes modes = this->FindModes(pack.Piece.Spheres().Radius, ranks);
 
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   if (input && input->GetNumberOfPoints() > 0)
@@ -154,24 +179,8 @@ void vtkRUCParticleModes::Execute(
   {
     FillTable(modes, pack.Observed.Volume(), table);
   }
-  long long spheres = 0;
-  for (int m = 1; m <= modes.NumberOfModes(); ++m)
-  {
-    spheres += static_cast<long long>(modes.Summary(m).Count);
-  }
-  for (vtkDataObject* data :
-    { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(table) })
-  {
-    PackData::AddField(data, "Method", std::string(MethodNames[this->Method]));
-    PackData::AddField(data, "NumberOfSpheres", std::vector<long long>{ spheres });
-    PackData::AddOrigin(data, pack);
-    // Bounds of the centres are a fallback for the table's fractions, not a window to hand on as
-    // observed
-    if (pack.WindowSource != "Bounds of the centres")
-    {
-      PackData::AddWindow(data, pack.Observed);
-    }
-  }
+  this->AddSummary(output, pack, modes);
+  this->AddSummary(table, pack, modes);
 }
 
 void vtkRUCParticleModes::PrintSelf(ostream& os, vtkIndent indent)

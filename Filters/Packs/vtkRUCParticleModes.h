@@ -19,6 +19,15 @@
 
 #include <vector>
 
+namespace PackData
+{
+struct PackOrigin;
+}
+namespace ruc
+{
+class ParticleModes;
+}
+
 class RUCPACKS_EXPORT vtkRUCParticleModes : public vtkRUCPackAlgorithm
 {
 public:
@@ -68,6 +77,11 @@ protected:
 private:
   vtkRUCParticleModes(const vtkRUCParticleModes&) = delete;
   void operator=(const vtkRUCParticleModes&) = delete;
+
+  // Warns on rank 0 where modes would hold no sphere
+  ruc::ParticleModes FindModes(const std::vector<double>& radii, RankCommunicator& ranks);
+  void AddSummary(
+    vtkDataObject* data, const PackData::PackOrigin& origin, const ruc::ParticleModes& modes) const;
 
   int Method = EQUAL_WIDTH;
   int NumberOfModes = 9;
