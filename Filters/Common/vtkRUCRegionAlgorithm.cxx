@@ -49,20 +49,22 @@ ruc::Estimate vtkRUCRegionAlgorithm::EstimateRegion()
   constexpr double bytesOfErosion = 11.0; // with the distance from the border
   vtkInformation* info = this->HasMask() ? this->GetInputInformation(1, 0) : nullptr;
   vtkImageData* piece = info ? vtkImageData::GetData(info) : nullptr;
-  // That of the whole image where its source tells it, else of what is on this rank
-  int extent[6] = { 0, -1, 0, -1, 0, -1 };
-  if (piece)
+  const auto voxelsOf = [](const int* extent)
   {
-    piece->GetExtent(extent);
-  }
+    double voxels = 1.0;
+    for (int q = 0; q < 3; ++q)
+    {
+      voxels *= std::max(extent[2 * q + 1] - extent[2 * q] + 1.0, 0.0);
+    }
+    return voxels;
+  };
+  // Of the whole image where its source tells it, at least of what is on this rank
+  double voxels = piece ? voxelsOf(piece->GetExtent()) : 0.0;
   if (info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
   {
-    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  }
-  double voxels = 1.0;
-  for (int q = 0; q < 3; ++q)
-  {
-    voxels *= std::max(extent[2 * q + 1] - extent[2 * q] + 1.0, 0.0);
+    int whole[6];
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+    voxels = std::max(voxels, voxelsOf(whole));
   }
   const double bytes = this->WindowMargin == 0.0 ? bytesPerVoxel : bytesOfErosion;
   return { 0.0, voxels * bytes / ruc::BytesOfMegabyte, 0.0 };
