@@ -3,6 +3,7 @@
 #include "vtkRUCSpherePackReader.h"
 
 #include "PackData.h"
+#include "RegularFile.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Formats/SpherePackText.h"
 #include "ruc/Particles/PeriodicReplicas.h"
@@ -11,8 +12,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <fstream>
-#include <iterator>
+#include <exception>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkRUCSpherePackReader);
@@ -24,7 +24,7 @@ vtkRUCSpherePackReader::vtkRUCSpherePackReader()
 
 int vtkRUCSpherePackReader::CanReadFile(const char* fileName)
 {
-  return fileName && std::ifstream(fileName).good() ? 1 : 0;
+  return fileName && RegularFile::IsReadable(fileName) ? 1 : 0;
 }
 
 int vtkRUCSpherePackReader::RequestData(
@@ -36,7 +36,7 @@ int vtkRUCSpherePackReader::RequestData(
   {
     this->Read(output);
   }
-  catch (const std::invalid_argument& e)
+  catch (const std::exception& e) // memory that is not there, too
   {
     output->Initialize();
     vtkErrorMacro(<< "Sphere Pack Reader, FileName '" << this->FileName << "': " << e.what());
@@ -48,12 +48,7 @@ int vtkRUCSpherePackReader::RequestData(
 
 void vtkRUCSpherePackReader::Read(vtkPolyData* output)
 {
-  std::ifstream file(this->FileName, std::ios::binary);
-  if (!file)
-  {
-    throw std::invalid_argument("a file that can be opened is required.");
-  }
-  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::string text = RegularFile::Read(this->FileName);
   ruc::SpherePackTextSettings settings;
   settings.SkipLines = this->SkipLines;
   settings.RadiusColumn = this->RadiusColumn;

@@ -38,7 +38,7 @@ public:
   vtkSetStdStringFromCharMacro(FileName);
   vtkGetCharFromStdStringMacro(FileName);
   ///@}
-  /** Whether the file can be opened; its contents are not looked at. */
+  /** Whether it is a regular file that can be opened; its contents are not looked at. */
   static int CanReadFile(const char* fileName);
 
   ///@{

@@ -3,6 +3,7 @@
 #include "CheckpointFile.h"
 
 #include "RankCommunicator.h"
+#include "RegularFile.h"
 #include "ruc/Base/Text.h"
 
 #include <fcntl.h>
@@ -12,10 +13,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <system_error>
+#include <exception>
 
 namespace
 {
@@ -34,18 +32,19 @@ std::string CheckpointFile::Read(RankCommunicator& ranks) const
   std::string bytes, error;
   if (this->IsWanted() && ranks.Rank() == 0 && access(this->Name.c_str(), F_OK) == 0)
   {
-    std::error_code ignored;
-    // Opening a pipe would wait for somebody who writes into it
-    if (std::filesystem::is_regular_file(this->Name, ignored))
+    try
     {
-      std::ostringstream content;
-      content << std::ifstream(this->Name, std::ios::binary).rdbuf();
-      bytes = content.str();
+      bytes = RegularFile::Read(this->Name);
+      error = bytes.empty() ? "it is empty." : "";
     }
-    if (bytes.empty())
+    catch (const std::exception& e)
+    {
+      error = e.what();
+    }
+    if (!error.empty())
     {
       error = ruc::Text("CheckpointFile requires a checkpoint or a name that is free, got '",
-        this->Name, "', which is no file, is empty or cannot be read.");
+        this->Name, "': ", error);
     }
   }
   ranks.ThrowIfAny(error);

@@ -6,7 +6,11 @@
 #include "vtkRUCParticleModes.h"
 #include "vtkRUCSpherePackReader.h"
 
+#include <sys/stat.h>
+
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 
 namespace
@@ -100,4 +104,71 @@ TEST(TextRefusals, PeriodicBoxTooSmall)
 {
   RefusesText("x,y,z,radius\n1,2,3,0.5\n", { "BoxSize", "Line 2" },
     [](vtkRUCSpherePackReader* r) { r->SetBoxSize(2.0, 2.0, 2.0); });
+}
+
+// Names that lead to no file of a size that can be read, on rank 0 alone
+namespace
+{
+void RefusesFile(const std::string& name, const std::string& part)
+{
+  vtkNew<vtkRUCSpherePackReader> reader;
+  const Errors errors(reader);
+  reader->SetFileName(name.c_str());
+  if (Rank() == 0)
+  {
+    reader->Update();
+    ExpectRefusal(reader, errors, { "Sphere Pack Reader", name, part });
+  }
+}
+
+std::string FileName(const char* what)
+{
+  return what + std::to_string(NumberOfRanks());
+}
+}
+
+TEST(FileRefusals, Folder)
+{
+  RefusesFile("/", "a regular file is required, got a folder");
+  EXPECT_FALSE(vtkRUCSpherePackReader::CanReadFile("/"));
+}
+
+TEST(FileRefusals, NoFile)
+{
+  RefusesFile("no such file.csv", "can be opened is required, got: No such file");
+}
+
+TEST(FileRefusals, Device)
+{
+  RefusesFile("/dev/zero", "a regular file is required, got a device");
+}
+
+TEST(FileRefusals, Pipe)
+{
+  const std::string name = FileName("pipe_np");
+  if (Rank() == 0)
+  {
+    ASSERT_EQ(mkfifo(name.c_str(), 0600), 0);
+    EXPECT_FALSE(vtkRUCSpherePackReader::CanReadFile(name.c_str()));
+  }
+  RefusesFile(name, "a regular file is required, got a pipe");
+  std::remove(Rank() == 0 ? name.c_str() : "");
+}
+
+TEST(FileRefusals, LargerThanMemory)
+{
+  const std::string name = FileName("huge_np");
+  if (Rank() == 0)
+  {
+    std::ofstream(name).put('x');
+    std::filesystem::resize_file(name, std::uintmax_t(1) << 42); // without blocks on the disk
+  }
+  RefusesFile(name, "a quarter of this machine's memory, got 4.39805e+06 MB");
+  std::remove(Rank() == 0 ? name.c_str() : "");
+}
+
+TEST(FileRefusals, ReadError)
+{
+  // Regular, and no byte of it can be read: the memory at address 0 of this process
+  RefusesFile("/proc/self/mem", "can be read to its end is required, got: Input/output error");
 }

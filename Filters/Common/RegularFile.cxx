@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RegularFile.h"
+
+#include "ruc/Base/Text.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace
+{
+using ruc::Text;
+
+[[noreturn]] void Fail(const std::string& what)
+{
+  throw std::invalid_argument(what);
+}
+
+// An open file, closed at the end of its life
+class OpenFile
+{
+public:
+  explicit OpenFile(const std::string& name)
+    : Number(open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC))
+  {
+    if (this->Number < 0)
+    {
+      Fail(Text("a file that can be opened is required, got: ", std::strerror(errno), "."));
+    }
+    if (fstat(this->Number, &this->Status) != 0 || !S_ISREG(this->Status.st_mode))
+    {
+      close(this->Number);
+      Fail(Text("a regular file is required, got ",
+        S_ISDIR(this->Status.st_mode)      ? "a folder"
+          : S_ISFIFO(this->Status.st_mode) ? "a pipe"
+                                           : "a device or socket",
+        "."));
+    }
+  }
+  ~OpenFile() { close(this->Number); }
+  OpenFile(const OpenFile&) = delete;
+  void operator=(const OpenFile&) = delete;
+
+  double Size() const { return static_cast<double>(this->Status.st_size); }
+
+  // At most `count` bytes; 0 at the end of the file
+  std::size_t Read(char* bytes, std::size_t count) const
+  {
+    ssize_t got = -1;
+    do
+    {
+      got = read(this->Number, bytes, count);
+    } while (got < 0 && errno == EINTR);
+    if (got < 0)
+    {
+      Fail(
+        Text("a file that can be read to its end is required, got: ", std::strerror(errno), "."));
+    }
+    return static_cast<std::size_t>(got);
+  }
+
+private:
+  int Number;
+  struct stat Status
+  {
+  };
+};
+
+double MostBytes()
+{
+  return 0.25 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+    static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+void RequireRoom(double bytes)
+{
+  if (bytes > MostBytes())
+  {
+    Fail(Text("a file of at most ", MostBytes() / 1e6,
+      " MB is required, a quarter of this machine's memory, got ", bytes / 1e6, " MB."));
+  }
+}
+}
+
+bool RegularFile::IsReadable(const std::string& name)
+{
+  try
+  {
+    OpenFile file(name);
+    return true;
+  }
+  catch (const std::invalid_argument&)
+  {
+    return false;
+  }
+}
+
+std::string RegularFile::Read(const std::string& name)
+{
+  constexpr std::size_t step = std::size_t(1) << 20;
+  const OpenFile file(name);
+  RequireRoom(file.Size());
+  std::string bytes(static_cast<std::size_t>(file.Size()), '\0');
+  // Files of the system tell no size, and a file may become longer
+  for (std::size_t done = 0;;)
+  {
+    if (done == bytes.size())
+    {
+      RequireRoom(static_cast<double>(done + step));
+      bytes.resize(done + step);
+    }
+    const std::size_t got = file.Read(&bytes[done], bytes.size() - done);
+    done += got;
+    if (got == 0)
+    {
+      bytes.resize(done);
+      return bytes;
+    }
+  }
+}
