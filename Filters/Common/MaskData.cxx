@@ -89,6 +89,11 @@ Slab LocalSlab(vtkImageData* image, const std::string& name, int label)
     }
     voxels *= static_cast<std::size_t>(slab.Last[q] - slab.First[q] + 1);
   }
+  if (static_cast<std::size_t>(array->GetNumberOfTuples()) < voxels)
+  {
+    throw std::invalid_argument(Text("Mask requires an array with a value for each of ", voxels,
+      " voxels, got ", array->GetNumberOfTuples(), "."));
+  }
   slab.Inside.resize(voxels);
   for (std::size_t v = 0; v < voxels; ++v)
   {

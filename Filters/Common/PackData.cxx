@@ -27,6 +27,12 @@ namespace
 {
 using ruc::Text;
 
+// Null where there is none of one component, as for a text that nobody needs
+vtkDataArray* FindNumbers(vtkPointSet* input, const char* name)
+{
+  return FindArray(input->GetPointData(), name, 0);
+}
+
 ruc::SpherePack ReadPack(vtkPointSet* input, bool withModes)
 {
   const vtkIdType count = input ? input->GetNumberOfPoints() : 0;
@@ -37,13 +43,13 @@ ruc::SpherePack ReadPack(vtkPointSet* input, bool withModes)
   }
   vtkDataArray* radius = RequireArray(input, "Radius");
   vtkDataArray* mode = withModes ? RequireArray(input, "Mode") : nullptr;
-  vtkDataArray* id = input->GetPointData()->GetArray("Id");
+  vtkDataArray* id = FindNumbers(input, "Id") ? RequireArray(input, "Id") : nullptr;
   for (std::vector<double>* numbers : { &pack.X, &pack.Y, &pack.Z, &pack.Radius })
   {
     numbers->resize(count);
   }
   pack.Mode.resize(withModes ? count : 0);
-  pack.Id.resize(id && id->GetNumberOfComponents() == 1 ? count : 0);
+  pack.Id.resize(id ? count : 0);
   for (vtkIdType i = 0; i < count; ++i)
   {
     double centre[3];
@@ -68,6 +74,14 @@ ruc::SpherePack ReadPack(vtkPointSet* input, bool withModes)
   }
   return pack;
 }
+}
+
+vtkDataArray* FindArray(vtkFieldData* arrays, const char* name, vtkIdType count)
+{
+  vtkDataArray* array = arrays->GetArray(name);
+  return array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() >= count
+    ? array
+    : nullptr;
 }
 
 vtkDataArray* RequireArray(vtkPointSet* input, const char* name)
@@ -101,7 +115,7 @@ vtkDataArray* RequireArray(vtkPointSet* input, const char* name)
 
 bool HasArray(vtkPointSet* input, const char* name, RankCommunicator& ranks)
 {
-  std::int64_t owners = input && input->GetPointData()->HasArray(name) ? 1 : 0;
+  std::int64_t owners = input && FindNumbers(input, name) ? 1 : 0;
   ranks.Sum(&owners, 1);
   return owners > 0;
 }

@@ -7,8 +7,11 @@
 #include "ResultData.h"
 #include "ruc/Particles/PackShare.h"
 
+#include "vtkType.h"
+
 class RankCommunicator;
 class vtkDataArray;
+class vtkFieldData;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -50,10 +53,15 @@ SharedPack FindShare(
 ObservedPack GatherPack(
   vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks);
 
+/** The array of that name with numbers of one component and a value for each of `count` points,
+ * cells or rows; null where there is none. An array may be shorter than what it belongs to, and VTK
+ * reads past its end: whatever is read a point at a time comes from here or from RequireArray. */
+vtkDataArray* FindArray(vtkFieldData* arrays, const char* name, vtkIdType count);
+
 /** The point array of that name, checked: numeric, one component, a value for every point. */
 vtkDataArray* RequireArray(vtkPointSet* input, const char* name);
 
-/** Collective: whether any rank's piece has a point array of that name. */
+/** Collective: whether any rank's piece has a point array of that name that is of numbers. */
 bool HasArray(vtkPointSet* input, const char* name, RankCommunicator& ranks);
 
 /** Points with vertex cells, `Radius`, `Mode` where the pack has modes, and `Id`, where it has none

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PackEstimate.h"
 
+#include "PackData.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Reconstruction/CellContents.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -24,18 +26,10 @@ namespace
 // As many spheres tell the sizes of all
 constexpr vtkIdType MostLookedAt = 20000;
 
-// Null where there is none of one number a point
-vtkDataArray* FindArray(vtkPointSet* piece, const char* name)
-{
-  vtkDataArray* array = piece->GetPointData()->GetArray(name);
-  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
-}
-
 // Null where there is none of a row and more
 vtkDataArray* FindColumn(vtkTable* table, const std::string& name)
 {
-  vtkDataArray* column = vtkDataArray::SafeDownCast(table->GetColumnByName(name.c_str()));
-  return column && column->GetNumberOfTuples() > 1 ? column : nullptr;
+  return PackData::FindArray(table->GetRowData(), name.c_str(), 2);
 }
 
 // Of all ranks
@@ -100,8 +94,10 @@ std::optional<ruc::PackFigures> PackEstimate::FindFigures(
   vtkPointSet* piece, const PackData::WindowProperties& properties, double spheres, int ranks)
 {
   const vtkIdType points = piece ? piece->GetNumberOfPoints() : 0;
-  vtkDataArray* radius = points > 0 ? FindArray(piece, "Radius") : nullptr;
-  vtkDataArray* mode = points > 0 ? FindArray(piece, "Mode") : nullptr;
+  vtkDataArray* radius =
+    points > 0 ? PackData::FindArray(piece->GetPointData(), "Radius", points) : nullptr;
+  vtkDataArray* mode =
+    points > 0 ? PackData::FindArray(piece->GetPointData(), "Mode", points) : nullptr;
   const std::optional<double> all =
     points > 0 ? FindSpheres(piece, spheres, ranks) : std::optional<double>();
   if (!radius || !mode || !all)

@@ -54,6 +54,12 @@ ruc::TwoPointProbability ReadLocal(vtkTable* table, const std::string& what)
       throw std::invalid_argument(ruc::Text(
         what, " requires the columns r, S_1_1, S_1_2, … S_m_m of numbers, got none '", name, "'."));
     }
+    if (array->GetNumberOfTuples() != table->GetNumberOfRows())
+    {
+      throw std::invalid_argument(
+        ruc::Text(what, " requires a number in each of ", table->GetNumberOfRows(),
+          " rows of column ", name, ", got ", array->GetNumberOfTuples(), "."));
+    }
     std::vector<double> values;
     for (vtkIdType row = 0; row < array->GetNumberOfTuples(); ++row)
     {

@@ -41,8 +41,17 @@ void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::
   vtkNew<vtkCellArray> vertices;
   vtkNew<vtkIntArray> mode;
   mode->SetName("Mode");
+  vtkNew<vtkPointData> arrays; // without those that have no value for some points
+  arrays->ShallowCopy(input->GetPointData());
+  for (int n = arrays->GetNumberOfArrays() - 1; n >= 0; --n)
+  {
+    if (arrays->GetAbstractArray(n)->GetNumberOfTuples() < input->GetNumberOfPoints())
+    {
+      arrays->RemoveArray(n);
+    }
+  }
   output->GetPointData()->CopyAllOn();
-  output->GetPointData()->CopyAllocate(input->GetPointData(), input->GetNumberOfPoints());
+  output->GetPointData()->CopyAllocate(arrays, input->GetNumberOfPoints());
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
     const int m = modes.ModeOf(2.0 * radius->GetTuple1(i));
@@ -52,7 +61,7 @@ void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::
     {
       const vtkIdType id = points->InsertNextPoint(centre);
       vertices->InsertNextCell(1, &id);
-      output->GetPointData()->CopyData(input->GetPointData(), i, id);
+      output->GetPointData()->CopyData(arrays, i, id);
       mode->InsertNextValue(m);
     }
   }

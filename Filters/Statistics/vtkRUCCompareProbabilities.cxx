@@ -87,11 +87,12 @@ std::vector<std::string> CommonArrays(
   vtkPointData* points = pack->GetPointData();
   for (int n = 0; pack->GetNumberOfPoints() > 0 && n < points->GetNumberOfArrays(); ++n)
   {
-    vtkDataArray* a = points->GetArray(n);
-    vtkDataArray* b = a && a->GetName() ? cell->GetPointData()->GetArray(a->GetName()) : nullptr;
-    if (b && a->GetNumberOfComponents() == 1 && b->GetNumberOfComponents() == 1)
+    const char* name = points->GetArrayName(n);
+    const vtkIdType count = pack->GetNumberOfPoints();
+    if (name && PackData::FindArray(points, name, count) &&
+      PackData::FindArray(cell->GetPointData(), name, count))
     {
-      own << a->GetName() << '\n';
+      own << name << '\n';
     }
   }
   const std::string all = ranks.FirstText(own.str());

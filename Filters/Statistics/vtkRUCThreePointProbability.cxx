@@ -81,7 +81,9 @@ double vtkRUCThreePointProbability::GetEstimatedMemory()
   try
   {
     const vtkSmartPointer<vtkPointSet> input = PackInput::FindHere(this->GetInputDataObject(0, 0));
-    vtkDataArray* modes = input ? input->GetPointData()->GetArray("Mode") : nullptr;
+    vtkDataArray* modes = input
+      ? PackData::FindArray(input->GetPointData(), "Mode", input->GetNumberOfPoints())
+      : nullptr;
     // Without data every mode may be there, unless all are asked for
     const bool known = modes && modes->GetNumberOfTuples() > 0;
     const int number = known ? static_cast<int>(modes->GetRange(0)[1]) : 999999;

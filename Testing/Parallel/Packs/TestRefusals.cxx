@@ -31,6 +31,25 @@ TEST(ParticleModesRefusals, EdgesThatLeaveSpheresOut)
     });
 }
 
+TEST(ParticleModes, ArraysShorterThanThePointsAreLeftOut)
+{
+  const auto data = MakePolyData(FewSizes(), Edge, true, IsMine);
+  for (vtkIdType count : { vtkIdType(2), data->GetNumberOfPoints() })
+  {
+    vtkNew<vtkDoubleArray> other;
+    other->SetName(count == 2 ? "Short" : "Whole");
+    other->SetNumberOfValues(count);
+    other->FillComponent(0, 3.0);
+    data->GetPointData()->AddArray(other);
+  }
+  vtkNew<Modes> filter;
+  filter->SetInputData(data);
+  filter->Update();
+  vtkPointData* arrays = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData();
+  EXPECT_FALSE(arrays->HasArray("Short"));
+  EXPECT_TRUE(arrays->HasArray("Whole"));
+}
+
 TEST(ParticleModesRefusals, NothingLeft)
 {
   RefusesSettings<Modes>({ "Particle Modes", "MinimumDiameter requires", "got 50" },

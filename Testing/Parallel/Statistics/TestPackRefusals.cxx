@@ -4,6 +4,7 @@
 #include "Refusals.h"
 
 #include "vtkRUCOnePointProbability.h"
+#include "vtkRUCThreePointProbability.h"
 #include "vtkRUCTwoPointProbability.h"
 
 #include "vtkStringArray.h"
@@ -50,6 +51,67 @@ TEST(PackRefusals, NoRadiusOnOneRank)
         d->GetPointData()->RemoveArray("Radius");
       }
     });
+}
+
+// An array of so many values, whatever number of points it belongs to
+namespace
+{
+template <class Array>
+void Shorten(vtkDataSet* data, const char* name, vtkIdType count)
+{
+  vtkNew<Array> few;
+  few->SetName(name);
+  few->SetNumberOfValues(count);
+  few->FillComponent(0, 1.0);
+  data->GetPointData()->RemoveArray(name);
+  data->GetPointData()->AddArray(few);
+}
+}
+
+TEST(PackRefusals, ArraysShorterThanThePoints)
+{
+  for (vtkIdType count : { 0, 1, 5 })
+  {
+    SCOPED_TRACE(count);
+    const std::string got = "points, got " + std::to_string(count);
+    RefusesData<TwoPoint>({ Name, "'Radius' requires a value for each of", got },
+      [&](vtkPolyData* d) { Shorten<vtkDoubleArray>(d, "Radius", count); });
+    RefusesData<vtkRUCOnePointProbability>({ "'Radius' requires a value for each of", got },
+      [&](vtkPolyData* d) { Shorten<vtkDoubleArray>(d, "Radius", count); });
+    RefusesData<TwoPoint>({ Name, "'Mode' requires a value for each of", got },
+      [&](vtkPolyData* d) { Shorten<vtkIntArray>(d, "Mode", count); });
+    RefusesData<vtkRUCThreePointProbability>({ "'Mode' requires a value for each of", got },
+      [&](vtkPolyData* d) { Shorten<vtkIntArray>(d, "Mode", count); });
+    RefusesData<TwoPoint>({ Name, "'Id' requires a value for each of", got },
+      [&](vtkPolyData* d) { Shorten<vtkIntArray>(d, "Id", count); });
+  }
+}
+
+TEST(PackRefusals, MaskShorterThanItsVoxels)
+{
+  const auto mask = MakeMask(Edge, Rank(), NumberOfRanks());
+  Shorten<vtkIntArray>(mask, "label", 3);
+  const auto sampling = [](vtkRUCOnePointProbability* f)
+  {
+    f->SetMethod(vtkRUCOnePointProbability::CHORD_SAMPLING);
+    f->SetNumberOfLines(100);
+  };
+  RefusesSettings<vtkRUCOnePointProbability>(
+    { "Mask requires an array with a value for each of", "got 3" },
+    [&](vtkRUCOnePointProbability* f) { f->SetInputData(1, mask); }, false, sampling);
+}
+
+TEST(PackRefusals, EstimatesOfShortArraysAreNotKnown)
+{
+  for (const char* name : { "Radius", "Mode" })
+  {
+    const auto data = MakePolyData(FewSizes(), Edge, true, IsMine);
+    Shorten<vtkDoubleArray>(data, name, 0);
+    vtkNew<TwoPoint> filter;
+    filter->SetInputData(data);
+    EXPECT_EQ(filter->GetEstimatedTime(), 0.0);
+    EXPECT_EQ(filter->GetEstimatedMemory(), 0.0);
+  }
 }
 
 TEST(PackRefusals, RadiusAsText)
