@@ -36,6 +36,9 @@ CheckedPiece::CheckedPiece(
   ranks.Sum(&outside, 1);
   ranks.ThrowIfAny(
     example.empty() ? example : OutsideMessage(window, outside, this->Total, example));
+  double largest = -this->Piece.LargestRadius(); // of all ranks, for one message
+  ranks.Minimum(&largest, 1);
+  ranks.ThrowIfAny(FindNarrowEdge(-largest, window));
 }
 
 CheckedPiece::CheckedPiece(

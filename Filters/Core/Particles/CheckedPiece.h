@@ -12,8 +12,8 @@ namespace ruc
 {
 /**
  * One rank's piece of a pack, which may be empty, after every check that needs no other rank's
- * spheres: the pack has spheres, their numbers are in range, and their centres lie in the window.
- * Whoever takes one need not check that again.
+ * spheres: the pack has spheres, their numbers are in range, their centres lie in the window, and
+ * it has room for the largest of them. Whoever takes one need not check that again.
  */
 class CheckedPiece
 {

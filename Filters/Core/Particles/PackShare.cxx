@@ -94,7 +94,6 @@ PackShare SharePack(CheckedPiece piece, Communicator& ranks)
   share.NumberOfSpheres = piece.NumberOfSpheres();
   const bool withModes = piece.WithModes();
   share.Own = piece.Take();
-  ranks.ThrowIfAny(FindNarrowEdge(share.Own, window));
 
   // Equal centres meet on one rank
   share.Own.Id.clear();

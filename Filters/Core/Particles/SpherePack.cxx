@@ -151,9 +151,9 @@ std::string FindModeGap(const std::vector<std::int64_t>& counts)
         gap - counts.begin() + 1, " but some of mode ", counts.size(), ".");
 }
 
-std::string FindNarrowEdge(const SpherePack& pack, const Window& window)
+std::string FindNarrowEdge(double largestRadius, const Window& window)
 {
-  const double diameter = 2.0 * pack.LargestRadius();
+  const double diameter = 2.0 * largestRadius;
   for (int q = 0; q < 3; ++q)
   {
     if (window.Periodic[q] && !(window.Size[q] > diameter))
@@ -162,7 +162,10 @@ std::string FindNarrowEdge(const SpherePack& pack, const Window& window)
         diameter, ", got ", window.Size[0], " ", window.Size[1], " ", window.Size[2], ".");
     }
   }
-  return {};
+  return window.ShortestEdge() > diameter
+    ? ""
+    : Text("The window requires edges longer than the largest sphere's diameter, ", diameter,
+        ", got a ", window.Describe(), ".");
 }
 
 std::string FindOutside(const SpherePack& pack, const Window& window, std::int64_t& count)
@@ -218,7 +221,7 @@ void ValidateWindow(const SpherePack& pack, const Window& window)
   std::int64_t outside = 0;
   const std::string example = FindOutside(pack, window, outside);
   ThrowIf(example.empty() ? "" : OutsideMessage(window, outside, pack.Size(), example));
-  ThrowIf(FindNarrowEdge(pack, window));
+  ThrowIf(FindNarrowEdge(pack.LargestRadius(), window));
   if (window.IsPeriodic())
   {
     SpherePack wrapped = pack;

@@ -55,8 +55,8 @@ void ValidatePack(const SpherePack& pack, bool withModes);
 
 /**
  * What a window asks of the pack in it. Throws std::invalid_argument when a centre lies outside,
- * when an edge of a periodic axis is not longer than the largest sphere's diameter, or when two
- * centres coincide across the border of a periodic box.
+ * when an edge is not longer than the largest sphere's diameter, or when two centres coincide
+ * across the border of a periodic box.
  */
 void ValidateWindow(const SpherePack& pack, const Window& window);
 
@@ -70,8 +70,10 @@ std::string FindFaultySphere(const SpherePack& pack, bool withModes, std::int64_
 std::string FindCoincidence(const SpherePack& pack, const Window& window);
 /** A mode below the highest that no sphere has; `counts` of all modes. */
 std::string FindModeGap(const std::vector<std::int64_t>& counts);
-/** A periodic edge that is not longer than the largest sphere's diameter. */
-std::string FindNarrowEdge(const SpherePack& pack, const Window& window);
+/** An edge of the window, the diameter and height of a cylinder, that is not longer than the
+ * largest sphere's diameter: spheres would meet their own images across a periodic one, and most of
+ * their volume lies outside the others. */
+std::string FindNarrowEdge(double largestRadius, const Window& window);
 /** Names a sphere with its centre outside the window; `count` becomes the number of such spheres.
  */
 std::string FindOutside(const SpherePack& pack, const Window& window, std::int64_t& count);

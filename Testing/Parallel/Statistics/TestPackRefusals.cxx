@@ -3,10 +3,14 @@
 // Packs, windows and lags that the statistics of a pack refuse
 #include "Refusals.h"
 
+#include "vtkRUCChordLengths.h"
 #include "vtkRUCOnePointProbability.h"
+#include "vtkRUCParticleModes.h"
+#include "vtkRUCRadialDistribution.h"
 #include "vtkRUCThreePointProbability.h"
 #include "vtkRUCTwoPointProbability.h"
 
+#include "vtkMultiBlockDataSet.h"
 #include "vtkStringArray.h"
 
 #include <limits>
@@ -198,6 +202,48 @@ TEST(WindowRefusals, BoxSmallerThanASphere)
 {
   RefusesPack<TwoPoint>(
     { Name, "BoxSize requires periodic edges longer" }, [](auto& p) { p.Radius[0] = 0.51 * Edge; });
+}
+
+// Every filter has the window checked at the door
+namespace
+{
+template <class Filter>
+void RefusesLayer(const char* label)
+{
+  const std::vector<std::string> parts = { label,
+    "The window requires edges longer than the largest sphere's diameter, 1.2, got a box window" };
+  Refuses<Filter>(parts,
+    { [](auto& p)
+      {
+        for (double& z : p.Z)
+        {
+          z *= 1e-3;
+        }
+      },
+      [](vtkPolyData* d) { d->GetFieldData()->Initialize(); }, {} },
+    false);
+}
+}
+
+TEST(WindowRefusals, LayerOfSpheres)
+{
+  RefusesLayer<TwoPoint>(Name.c_str());
+  RefusesLayer<vtkRUCOnePointProbability>("One-Point Probability");
+  RefusesLayer<vtkRUCThreePointProbability>("Three-Point Probability");
+  RefusesLayer<vtkRUCRadialDistribution>("Radial Distribution");
+  RefusesLayer<vtkRUCChordLengths>("Chord Lengths");
+  RefusesLayer<vtkRUCParticleModes>("Particle Modes");
+}
+
+TEST(PackRefusals, BlocksWithoutData)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetNumberOfBlocks(3);
+  vtkNew<vtkRUCThreePointProbability> filter;
+  const Errors errors(filter);
+  filter->SetInputData(blocks);
+  filter->Update();
+  ExpectRefusal(filter, errors, { "Three-Point Probability", "requires at least one sphere" });
 }
 
 TEST(WindowRefusals, BoxWithoutSize)

@@ -120,7 +120,7 @@ TEST(SpherePack, WindowNeedsEveryCentre)
     ruc::ValidateWindow(pack, Window::MakeCylinder({ 1, 1, 0 }, { 0, 0, 1 }, 2.0, 3)));
 }
 
-TEST(SpherePack, PeriodicEdgesExceedTheLargestDiameter)
+TEST(SpherePack, EdgesExceedTheLargestDiameter)
 {
   const SpherePack pack = ThreeSpheres();
   EXPECT_SAYS(
@@ -128,9 +128,15 @@ TEST(SpherePack, PeriodicEdgesExceedTheLargestDiameter)
     "BoxSize requires periodic edges");
   EXPECT_NO_THROW(ruc::ValidateWindow(
     pack, Window::MakeBox({ 0, 0.7, 0 }, { 4, 0.61, 4 }, { true, true, true })));
-  // an edge that is not periodic may be shorter
+  // A layer of spheres has no fractions: they were 22 and -79 where one was 0.01 thick
+  EXPECT_SAYS(
+    ruc::ValidateWindow(pack, Window::MakeBox({ 0, 0.7, 0 }, { 4, 0.6, 4 }, { true, false, true })),
+    "The window requires edges longer than the largest sphere's diameter, 0.6, got a partly");
   EXPECT_NO_THROW(ruc::ValidateWindow(
-    pack, Window::MakeBox({ 0, 0.7, 0 }, { 4, 0.6, 4 }, { true, false, true })));
+    pack, Window::MakeBox({ 0, 0.7, 0 }, { 4, 0.61, 4 }, { true, false, true })));
+  EXPECT_SAYS(
+    ruc::ValidateWindow(pack, Window::MakeCylinder({ 2, 0.7, 2 }, { 0.0, 1.0, 0.0 }, 10.0, 0.5)),
+    "The window requires edges longer than the largest sphere's diameter, 0.6, got a cylinder");
 }
 
 TEST(SpherePack, ACentreAndItsImageAreOneSphere)
