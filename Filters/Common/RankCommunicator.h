@@ -52,14 +52,17 @@ private:
 };
 
 /**
- * One-way message from rank 0, once it is done, to the ranks that still work on their own, such as
- * the reason to stop. It is a number; 0 stands for none. Construction and Close are collective.
+ * One-way message from rank 0 to the ranks that work on their own, such as the reason to stop. It
+ * is a number; 0 stands for none. Construction and Close are collective.
  */
 class RUCCOMMON_EXPORT RankSignal
 {
 public:
   explicit RankSignal(const RankCommunicator& ranks);
   ~RankSignal();
+
+  /** On rank 0: sends a message that is not 0, the first time. */
+  void Give(int message);
 
   /** The message, or 0 as long as there is none; may be called at any time and rate. */
   int Heard();
@@ -73,8 +76,6 @@ public:
 private:
   RankSignal(const RankSignal&) = delete;
   void operator=(const RankSignal&) = delete;
-
-  void Give(int message);
 
   const RankCommunicator& Ranks;
   vtkMPIController* Controller;        // null where there is one rank

@@ -161,15 +161,16 @@ private:
       this->Contents, this->Target, search.Settings, *search.Group,
       [&](const ruc::SearchState& state)
       {
-        if (!first)
-        {
-          return true;
-        }
-        // Some reasons are seen on the lowest rank alone
-        reason = this->Callbacks.StopReason(search.Number, state);
+        // Some reasons are seen on the lowest rank alone, which tells the others at once
         if (reason == ruc::EndReason::None)
         {
-          reason = static_cast<ruc::EndReason>(signal.Heard());
+          const int heard = signal.Heard();
+          reason = heard != 0 ? static_cast<ruc::EndReason>(heard)
+                              : this->Callbacks.StopReason(search.Number, state);
+          if (reason != ruc::EndReason::None && this->Ranks.Rank() == 0)
+          {
+            signal.Give(static_cast<int>(reason));
+          }
         }
         return reason == ruc::EndReason::None;
       },
@@ -200,7 +201,7 @@ private:
     const bool stopped = search.Found.Cell.EndedBy == ruc::EndReason::Stopped;
     if (stopped)
     {
-      search.Group->Broadcast(reason, 0);
+      search.Group->Broadcast(reason, search.Group->LowestRank(reason != ruc::EndReason::None));
       search.Found.Cell.EndedBy = reason;
     }
     return stopped;

@@ -72,10 +72,11 @@ struct FoundCell
 /** The place of the cell with the least F2, among those without overlap if there are any. */
 std::size_t FindBest(const std::vector<FoundCell>& cells);
 
-/** What the search asks and tells on the first rank of every group. */
+/** What the search asks and tells. */
 struct Callbacks
 {
-  /** Why the search should end now; None to carry on. `cell` counts from 0. */
+  /** Why the search should end now; None to carry on. `cell` counts from 0. Asked on every rank;
+   * what only rank 0 knows reaches the others through it. */
   std::function<ruc::EndReason(int cell, const ruc::SearchState& state)> StopReason;
   /** That a checkpoint could not be written, once. */
   std::function<void(const std::string& text)> Warn;

@@ -169,8 +169,17 @@ std::optional<ruc::Estimate> vtkRUCUnitCellReconstruction::MakeEstimate()
               : std::nullopt;
 }
 
-ruc::EndReason vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport& report)
+ruc::EndReason vtkRUCUnitCellReconstruction::FindStopReason(
+  const ProgressReport& report, bool isFirstRank)
 {
+  if (this->TimeLimit > 0.0 && report.Seconds() >= this->TimeLimit)
+  {
+    return ruc::EndReason::TimeLimit;
+  }
+  if (!isFirstRank)
+  {
+    return ruc::EndReason::None;
+  }
   if (this->GetAbortExecute())
   {
     return ruc::EndReason::Abort;
@@ -178,10 +187,6 @@ ruc::EndReason vtkRUCUnitCellReconstruction::FindStopReason(const ProgressReport
   if (vtkRUCStopRequest::IsPending())
   {
     return ruc::EndReason::StopButton;
-  }
-  if (this->TimeLimit > 0.0 && report.Seconds() >= this->TimeLimit)
-  {
-    return ruc::EndReason::TimeLimit;
   }
   std::error_code ignored;
   if (!this->StopFile.empty() && std::filesystem::is_regular_file(this->StopFile, ignored))
@@ -252,7 +257,7 @@ void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents
       report.Tell((cell + state.Iteration / most) / this->Search.NumberOfCells,
         this->DescribeProgress(cell, state));
     }
-    return this->FindStopReason(report);
+    return this->FindStopReason(report, ranks.Rank() == 0);
   };
   callbacks.Warn = [&](const std::string& text)
   { vtkWarningMacro(<< this->GetLabel() << ": " << text); };

@@ -204,8 +204,8 @@ private:
   // Twice the saturation length, or with a warning the last lag
   double FindEdge(
     const ruc::TwoPointProbability& probability, double diameter, RankCommunicator& ranks);
-  // Why the search should end now, for a reason from outside
-  ruc::EndReason FindStopReason(const ProgressReport& report);
+  // Why the search should end now, for a reason from outside; all but the time only rank 0 knows
+  ruc::EndReason FindStopReason(const ProgressReport& report, bool isFirstRank);
   // Searches, and fills the outputs
   void Reconstruct(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
     const std::string& lengthUnit, vtkInformationVector* outputs, RankCommunicator& ranks,

@@ -17,6 +17,7 @@ namespace ruc
 namespace
 {
 constexpr int MaximumDraws = 10000;
+constexpr int DrawsBetweenQuestions = 1000;
 
 // The spheres that are in the cell already, in a periodic grid whose cells are no shorter than the
 // longest distance at which two of them matter
@@ -104,7 +105,7 @@ private:
 }
 
 BallisticDeposition DepositBallistically(const std::vector<double>& radii, double edge,
-  std::uint32_t seed, std::uint32_t number, double degree)
+  std::uint32_t seed, std::uint32_t number, double degree, const std::function<bool()>& carryOn)
 {
   if (!(degree >= 0.0 && degree <= 1.0))
   {
@@ -126,6 +127,10 @@ BallisticDeposition DepositBallistically(const std::vector<double>& radii, doubl
     double reached = std::numeric_limits<double>::infinity();
     for (int n = 0; n < MaximumDraws && reached > degree; ++n)
     {
+      if ((draw + 1) % DrawsBetweenQuestions == 0 && !carryOn())
+      {
+        return {};
+      }
       std::array<double, 3> centre =
         UniformTriple(seed, RandomStream::Deposition, std::uint64_t(number) << 32 | draw++);
       for (double& c : centre)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace ruc
@@ -27,8 +28,10 @@ constexpr double DefaultDepositionDegree = 0.25;
  *
  * A sphere that finds no place in 10 000 draws takes the one of them that exceeds the degree least,
  * so that the deposition ends always; BallisticDeposition::Degree is above `degree` then, and not
- * otherwise. Throws std::invalid_argument for a degree out of range.
+ * otherwise. `carryOn` is called every thousand draws; when it returns false the deposition is
+ * given up and has no centres. Throws std::invalid_argument for a degree out of range.
  */
-BallisticDeposition DepositBallistically(const std::vector<double>& radii, double edge,
-  std::uint32_t seed, std::uint32_t number, double degree);
+BallisticDeposition DepositBallistically(
+  const std::vector<double>& radii, double edge, std::uint32_t seed, std::uint32_t number,
+  double degree, const std::function<bool()>& carryOn = []() { return true; });
 }

@@ -162,7 +162,8 @@ private:
 };
 }
 
-int MoveBySprings(SpherePack& pack, const Window& box, int maximumSteps)
+int MoveBySprings(
+  SpherePack& pack, const Window& box, int maximumSteps, const std::function<bool()>& carryOn)
 {
   if (pack.Empty())
   {
@@ -171,7 +172,7 @@ int MoveBySprings(SpherePack& pack, const Window& box, int maximumSteps)
   WrapIntoBox(pack, box);
   Masses masses(pack, box);
   int steps = 0;
-  while (masses.FindForces() && steps < maximumSteps)
+  while (masses.FindForces() && steps < maximumSteps && ((steps + 1) % 10 != 0 || carryOn()))
   {
     masses.Step();
     ++steps;
@@ -180,10 +181,11 @@ int MoveBySprings(SpherePack& pack, const Window& box, int maximumSteps)
   return steps;
 }
 
-bool MoveBySpringsUntilFree(SpherePack& pack, const Window& box, std::uint32_t seed)
+bool MoveBySpringsUntilFree(
+  SpherePack& pack, const Window& box, std::uint32_t seed, const std::function<bool()>& carryOn)
 {
   constexpr int stepsInGeneral = 2000;
-  MoveBySprings(pack, box, stepsInGeneral);
-  return RemoveOverlap(pack, box, seed, []() { return true; });
+  MoveBySprings(pack, box, stepsInGeneral, carryOn);
+  return RemoveOverlap(pack, box, seed, carryOn);
 }
 }

@@ -5,6 +5,7 @@
 #include "ruc/Particles/SpherePack.h"
 
 #include <cstdint>
+#include <functional>
 
 namespace ruc
 {
@@ -19,13 +20,17 @@ namespace ruc
  * [origin, origin + size) of the periodic box.
  *
  * Returns the steps taken: fewer than `maximumSteps` only when no two spheres overlap any more
- * (PackOverlap::IsNone).
+ * (PackOverlap::IsNone), or when `carryOn`, which is called every few steps, returned false.
  */
-int MoveBySprings(SpherePack& pack, const Window& box, int maximumSteps);
+int MoveBySprings(
+  SpherePack& pack, const Window& box, int maximumSteps,
+  const std::function<bool()>& carryOn = []() { return true; });
 
 /**
  * The same for as many steps as serve in general (2000), and what overlap is left then removed by
  * RemoveOverlap, which shakes a pack that jams. Returns whether nothing overlaps.
  */
-bool MoveBySpringsUntilFree(SpherePack& pack, const Window& box, std::uint32_t seed);
+bool MoveBySpringsUntilFree(
+  SpherePack& pack, const Window& box, std::uint32_t seed,
+  const std::function<bool()>& carryOn = []() { return true; });
 }

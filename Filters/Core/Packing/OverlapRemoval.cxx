@@ -65,6 +65,7 @@ bool PushApart(
   SpherePack& pack, const Window& box, double reach, const std::function<bool()>& carryOn)
 {
   constexpr int MaximumIterations = 4000;
+  int evaluations = 0;
   DescentState state;
   state.Place = CentresOf(pack);
   DescentSettings settings;
@@ -78,13 +79,10 @@ bool PushApart(
       const ContactEnergy energy = FindContactEnergy(pack, box, reach, gradient);
       free = energy.Free;
       value = energy.Value;
-      return true;
+      stopped = ++evaluations % 10 == 0 && !carryOn();
+      return !stopped;
     },
-    [&](const DescentState& now)
-    {
-      stopped = now.Iterations % 10 == 0 && !carryOn();
-      return !free && !stopped && now.Iterations < MaximumIterations;
-    });
+    [&](const DescentState& now) { return !free && now.Iterations < MaximumIterations; });
   SetCentres(pack, box, state.Place.data());
   return !stopped;
 }

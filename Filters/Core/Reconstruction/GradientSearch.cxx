@@ -99,6 +99,10 @@ public:
     {
       this->Keep(this->State.Descent.Place);
       this->RecordBest();
+      if (this->Stopped && !this->MeetsTarget())
+      {
+        endedBy = EndReason::Stopped; // if only while the last overlap was removed
+      }
     }
     this->Best.StartObjective = this->State.StartObjective;
     this->Best.Convergence = this->State.Convergence;
@@ -180,6 +184,7 @@ private:
       this->State.Descent, settings,
       [&](const double* place, double* gradient, double& value)
       {
+        this->Ask(this->State.Convergence.back());
         this->Evaluate(place, gradient);
         value = this->Terms.Total();
         return !this->Stopped;

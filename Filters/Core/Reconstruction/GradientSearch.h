@@ -71,10 +71,11 @@ struct GradientState
  * an overlap penalty, and the last overlap removed exactly.
  *
  * Collective; every rank returns the same bits, whatever the number of ranks and threads. `carryOn`
- * is asked on every rank in every iteration; when it returns false on any, the search ends with the
- * best cell so far. `save`, if any, is given the state after every iteration of L-BFGS. `resume` is
- * a state to go on from, on any number of ranks; throws std::invalid_argument if it is not one of
- * these contents, and for settings out of range.
+ * is asked on every rank before every evaluation of F2 and every few steps in which overlap is
+ * removed; when it returns false on any, the search ends with the best cell so far. `save`, if any,
+ * is given the state after every iteration of L-BFGS. `resume` is a state to go on from, on any
+ * number of ranks; throws std::invalid_argument if it is not one of these contents, and for
+ * settings out of range.
  */
 UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbability& target,
   const GradientSearchSettings& settings, Communicator& communicator,

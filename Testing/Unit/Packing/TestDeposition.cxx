@@ -150,6 +150,20 @@ TEST(Deposition, ADegreeOfOneAllowsAnyOverlap)
   ExpectUniform(centres, cell.Edge);
 }
 
+TEST(Deposition, IsGivenUpWhenItIsTold)
+{
+  // Above where random sequential addition jams: most spheres take all of their 10 000 draws
+  const Cell cell = MakeCell({ 60 }, { 1.0 }, 0.6);
+  for (int stopAt : { 1, 20 })
+  {
+    int calls = 0;
+    const auto carryOn = [&]() { return ++calls < stopAt; };
+    EXPECT_TRUE(
+      ruc::DepositBallistically(cell.Radii, cell.Edge, 1, 0, 0.0, carryOn).Centres.empty());
+    EXPECT_EQ(calls, stopAt);
+  }
+}
+
 TEST(Deposition, DegreesOutOfRangeAreRefused)
 {
   const Cell cell = MakeCell({ 2 }, { 1.0 }, 0.1);

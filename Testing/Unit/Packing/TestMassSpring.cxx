@@ -97,6 +97,21 @@ TEST(MassSpring, EndsAfterTheStepsItIsGiven)
   ExpectInBox(pack, box);
 }
 
+TEST(MassSpring, StopsWhenItIsTold)
+{
+  const ruc::Window box = oracle::PeriodicCube(EdgeFor({ 16 }, { 1.0 }, 0.8)); // impossible
+  const ruc::SpherePack start = oracle::RandomPack({ 16 }, { 1.0 }, box, 3);
+  // Among the steps, and while overlap is removed another way after the 2000th
+  for (int stopAt : { 1, 5, 250 })
+  {
+    ruc::SpherePack pack = start;
+    int calls = 0;
+    EXPECT_FALSE(ruc::MoveBySpringsUntilFree(pack, box, 1, [&]() { return ++calls < stopAt; }));
+    EXPECT_GE(calls, stopAt);
+    EXPECT_LE(calls, stopAt + 1); // by springs, and by the other way
+  }
+}
+
 TEST(MassSpring, LessOverlapWithMoreSteps)
 {
   const ruc::Window box = oracle::PeriodicCube(EdgeFor({ 200 }, { 1.0 }, 0.6));

@@ -5,24 +5,20 @@
 #include "ruc/Base/Communicator.h"
 #include "ruc/Particles/PackOverlap.h"
 #include "ruc/Reconstruction/CellObjective.h"
-#include "ruc/Reconstruction/Population/GeneticOperators.h"
+#include "ruc/Reconstruction/Population/PopulationState.h"
 
 #include <omp.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <functional>
 #include <memory>
+#include <thread>
 #include <vector>
 
 namespace ruc
 {
-/** A cell of a population with what its fitness is made of. */
-struct Member
-{
-  Chromosome Centres;
-  double Objective = 0.0;
-  double OverlapPercent = 0.0;
-};
-
 /** Makes and evaluates members of a population on all ranks and threads, each member on one. */
 class MemberMaker
 {
@@ -40,31 +36,60 @@ public:
   }
 
   /**
-   * Collective: members `first` to `last` - 1 on all ranks. make(n) returns the centres of the n-th
-   * and is called by any thread of any rank, once for each.
+   * Collective: members `first` to `last` - 1 on all ranks. make(n, goesOn) returns the centres of
+   * the n-th and is called by any thread of any rank, once for each.
+   *
+   * Meanwhile carryOn() is asked again and again on the thread that calls this. When it says no,
+   * this rank begins no other member, and goesOn(), which work on a long one asks, says no. What is
+   * not made then is not made on any rank (Member::IsMade).
    */
-  template <class Function>
-  std::vector<Member> Make(int first, int last, Function&& make)
+  template <class Function, class Question>
+  std::vector<Member> Make(int first, int last, Function&& make, Question&& carryOn)
   {
     const std::size_t length = 3 * std::size_t(this->Contents.NumberOfSpheres());
-    const std::size_t stride = length + 2;
+    const std::size_t stride = length + 3; // with F2, overlap, and 1 where it is made
     const int number = last - first;
     std::vector<double> numbers(number * stride, 0.0);
     const int rank = this->Ranks.Rank(), ranks = this->Ranks.Size();
-#pragma omp parallel for schedule(dynamic) num_threads(this->OfThread.size())
-    for (int n = rank; n < number; n += ranks)
+    std::atomic<bool> stopped(false);
+    std::atomic<int> left((number - rank + ranks - 1) / ranks);
+    const std::function<bool()> goesOn = [&, caller = std::this_thread::get_id()]()
     {
-      double* place = &numbers[n * stride];
-      const Chromosome centres = make(first + n);
-      std::copy(centres.begin(), centres.end(), place);
-      this->Evaluate(centres, place[length], place[length + 1]);
+      if (!stopped && std::this_thread::get_id() == caller && !carryOn())
+      {
+        stopped = true;
+      }
+      return !stopped;
+    };
+#pragma omp parallel num_threads(this->OfThread.size())
+    {
+#pragma omp for schedule(dynamic) nowait
+      for (int n = rank; n < number; n += ranks)
+      {
+        double* place = &numbers[n * stride];
+        if (const Chromosome centres = goesOn() ? make(first + n, goesOn) : Chromosome(); !stopped)
+        {
+          std::copy(centres.begin(), centres.end(), place);
+          this->Evaluate(centres, place[length], place[length + 1]);
+          place[length + 2] = 1.0;
+        }
+        --left;
+      }
+#pragma omp master
+      while (left > 0 && goesOn())
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1)); // others still work
+      }
     }
     this->Ranks.AllGatherInTurn(numbers.data(), number, [&](std::size_t n) { return n * stride; });
     std::vector<Member> members(number);
     for (int n = 0; n < number; ++n)
     {
       const double* place = &numbers[n * stride];
-      members[n] = { Chromosome(place, place + length), place[length], place[length + 1] };
+      if (place[length + 2] == 1.0)
+      {
+        members[n] = { Chromosome(place, place + length), place[length], place[length + 1] };
+      }
     }
     return members;
   }

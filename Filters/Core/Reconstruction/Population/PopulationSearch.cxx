@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Reconstruction/Population/PopulationSearch.h"
 
-#include "ruc/Base/Text.h"
 #include "ruc/Packing/MassSpring.h"
 #include "ruc/Packing/OverlapRemoval.h"
 #include "ruc/Reconstruction/CellObjective.h"
@@ -14,8 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <stdexcept>
 
 namespace ruc
 {
@@ -44,38 +41,30 @@ public:
   void Start()
   {
     this->State.Temperature = this->Settings.InitialTemperature;
+    // All that there is where the search is stopped before a member is made
+    Member start = this->Evaluated(RandomCentres(this->Contents, this->Settings.Seed, 0));
+    const SearchState startState = { SearchPhase::AnnealingPopulation, 0, start.Objective,
+      start.OverlapPercent };
+    const auto keep = [&](Member& member)
+    {
+      this->State.Add(std::move(member));
+      this->State.First = this->State.Range(); // of those that there are
+    };
     this->MakeMembers(
       this->Settings.Population,
-      [&](int i) { return this->MakeFirst(static_cast<std::uint32_t>(i)); },
-      [&](Member& member)
-      {
-        this->State.Centres.push_back(std::move(member.Centres));
-        this->State.Objective.push_back(member.Objective);
-        this->State.OverlapPercent.push_back(member.OverlapPercent);
-      },
-      [&]()
-      {
-        this->State.First = this->Range(); // of those that there are
-        return this->DescribeBest();
-      });
-    this->State.First = this->Range();
+      [&](int i, const std::function<bool()>& carryOn)
+      { return this->MakeFirst(static_cast<std::uint32_t>(i), carryOn); },
+      keep, [&]() { return this->State.Centres.empty() ? startState : this->DescribeBest(); });
+    if (this->State.Centres.empty())
+    {
+      keep(start);
+    }
     this->FinishGeneration();
   }
 
   void Resume(const PopulationState& state)
   {
-    const std::size_t members = this->Settings.Population;
-    const std::size_t length = 3 * std::size_t(this->Contents.NumberOfSpheres());
-    const bool fits = state.Centres.size() == members && state.Objective.size() == members &&
-      state.OverlapPercent.size() == members && !state.Convergence.empty() &&
-      std::all_of(state.Centres.begin(), state.Centres.end(),
-        [&](const Chromosome& centres) { return centres.size() == length; });
-    if (!fits)
-    {
-      throw std::invalid_argument(Text("Resuming requires a state of ", members, " members of ",
-        length / 3, " spheres, got one of ", state.Centres.size(), " members",
-        state.Centres.empty() ? std::string() : Text(" of ", state.Centres[0].size() / 3), "."));
-    }
+    state.Require(this->Settings.Population, this->Contents.NumberOfSpheres());
     this->State = state;
   }
 
@@ -90,49 +79,55 @@ public:
         break;
       }
     }
-    return { this->Finish(endedBy), this->State.First, this->Range() };
+    return { this->Finish(endedBy), this->State.First, this->State.Range() };
   }
 
 private:
   // ---- Members ----
 
-  Chromosome MakeFirst(std::uint32_t number) const
+  Chromosome MakeFirst(std::uint32_t number, const std::function<bool()>& carryOn) const
   {
     const bool random =
       number < std::lround(this->Settings.RandomShare * this->Settings.Population);
     return random ? RandomCentres(this->Contents, this->Settings.Seed, number)
                   : DepositBallistically(this->Contents.Radii(), this->Contents.Edge,
-                      this->Settings.Seed, number, this->Settings.DepositionDegree)
+                      this->Settings.Seed, number, this->Settings.DepositionDegree, carryOn)
                       .Centres;
   }
 
-  // `number` members, the n-th made by make(n) and evaluated by one thread of rank n % ranks; then
-  // given to keep(member) in their order on all ranks. After some of them the caller is told
+  Member Evaluated(Chromosome centres)
+  {
+    const double objective = this->Shared.Evaluate(centres.data(), nullptr).TwoPoint;
+    const SpherePack pack = this->Contents.MakePack(centres.data());
+    return { std::move(centres), objective, MeasureOverlap(pack, this->Box).Percent };
+  }
+
+  // `number` members, the n-th made by make(n, carryOn) and evaluated by one thread of rank
+  // n % ranks; then given to keep(member) in their order on all ranks. Meanwhile the caller is told
   // describe() and asked whether to go on; the others are left out when it does not.
   template <class Make, class Keep, class Describe>
   void MakeMembers(int number, Make&& make, Keep&& keep, Describe&& describe)
   {
-    constexpr int MembersOfRank = 64; // between two questions
+    constexpr int MembersOfRank = 64; // until the wish of another rank is known
     const int some = MembersOfRank * this->Ranks.Size();
     for (int first = 0; first < number && !this->Stopped; first += some)
     {
       const int last = std::min(first + some, number);
-      for (Member& member : this->Members.Make(first, last, make))
+      const SearchState told = describe();
+      const auto carryOn = [&]()
       {
-        keep(member);
-      }
-      if (last < number)
+        this->Ask(told);
+        return this->Wish == 0;
+      };
+      for (Member& member : this->Members.Make(first, last, make, carryOn))
       {
-        this->AskAll(describe());
+        if (member.IsMade())
+        {
+          keep(member);
+        }
       }
+      this->HearAll();
     }
-  }
-
-  ObjectiveRange Range() const
-  {
-    const std::vector<double>& f2 = this->State.Objective;
-    const auto [low, high] = std::minmax_element(f2.begin(), f2.end());
-    return { *low, std::accumulate(f2.begin(), f2.end(), 0.0) / f2.size(), *high };
   }
 
   std::vector<double> FitnessOfAll() const
@@ -140,11 +135,7 @@ private:
     return this->State.Fitness(this->Settings.HalfOverlap);
   }
 
-  int BestMember() const
-  {
-    const std::vector<double> fitness = this->FitnessOfAll();
-    return static_cast<int>(std::min_element(fitness.begin(), fitness.end()) - fitness.begin());
-  }
+  int BestMember() const { return this->State.BestMember(this->Settings.HalfOverlap); }
 
   // ---- Generations ----
 
@@ -190,7 +181,8 @@ private:
     std::vector<Member> children;
     this->MakeMembers(
       this->Settings.MatingPool,
-      [&](int j) { return this->MakeChild(j, pool[j], mates[j], fitness); },
+      [&](int j, const std::function<bool()>& carryOn)
+      { return this->MakeChild(j, pool[j], mates[j], fitness, carryOn); },
       [&](Member& child) { children.push_back(std::move(child)); },
       [&]() { return this->State.Convergence.back(); });
     if (this->Stopped)
@@ -224,7 +216,8 @@ private:
     return mate;
   }
 
-  Chromosome MakeChild(int child, int parent, int mate, const std::vector<double>& fitness) const
+  Chromosome MakeChild(int child, int parent, int mate, const std::vector<double>& fitness,
+    const std::function<bool()>& carryOn) const
   {
     RandomSequence random(this->Settings.Seed, RandomStream::MutationOperator,
       std::uint64_t(this->State.Generation) * this->Settings.MatingPool + child);
@@ -232,7 +225,7 @@ private:
     if (random.Next() < this->Settings.MassSpringProbability)
     {
       SpherePack pack = this->Contents.MakePack(centres.data());
-      MoveBySpringsUntilFree(pack, this->Box, this->Settings.Seed);
+      MoveBySpringsUntilFree(pack, this->Box, this->Settings.Seed, carryOn);
       centres = CentresOf(pack);
     }
     return centres;
@@ -286,16 +279,13 @@ private:
       descent, settings,
       [&](const double* place, double* gradient, double& value)
       {
+        this->Ask(this->State.Convergence.back());
         value = this->Shared.Evaluate(place, gradient, &this->Wish).Total();
         stopped = this->Wish > 0;
         this->Wish = 0;
         return !stopped;
       },
-      [&](const DescentState& now)
-      {
-        this->Ask(this->State.Convergence.back());
-        return now.Iterations < end;
-      });
+      [&](const DescentState& now) { return now.Iterations < end; });
     if (stopped)
     {
       return false;
@@ -305,9 +295,7 @@ private:
     {
       return false;
     }
-    member.Centres = CentresOf(pack);
-    member.Objective = this->Shared.Evaluate(member.Centres.data(), nullptr).TwoPoint;
-    member.OverlapPercent = MeasureOverlap(pack, this->Box).Percent;
+    member = this->Evaluated(CentresOf(pack));
     return true;
   }
 
@@ -378,6 +366,11 @@ private:
   void AskAll(const SearchState& state)
   {
     this->Ask(state);
+    this->HearAll();
+  }
+
+  void HearAll()
+  {
     this->Ranks.Sum(&this->Wish, 1);
     this->Stopped = this->Stopped || this->Wish > 0;
     this->Wish = 0;
@@ -427,16 +420,31 @@ private:
                                                                         : EndReason::None;
   }
 
+  // A search that is to stop still gets the few steps in which most cells are freed
   UnitCell FreeBest()
   {
+    constexpr int MostQuestions = 50;
+    int questions = 0;
     const Chromosome& centres = this->State.Centres[this->BestMember()];
     return FinishUnitCell(this->Contents.MakePack(centres.data()), this->Box, this->Target,
-      this->Settings.Seed, this->Ranks, []() { return true; });
+      this->Settings.Seed, this->Ranks,
+      [&]()
+      {
+        if (!this->Stopped)
+        {
+          this->AskAll(this->State.Convergence.back());
+        }
+        return !this->Stopped || ++questions < MostQuestions;
+      });
   }
 
   UnitCell Finish(EndReason endedBy)
   {
     UnitCell cell = this->FreeBest();
+    if (this->Stopped && !cell.Overlap.IsNone())
+    {
+      endedBy = EndReason::Stopped;
+    }
     cell.StartObjective = this->State.First.Mean;
     cell.Convergence = this->State.Convergence;
     cell.Iterations = static_cast<int>(cell.Convergence.size());
@@ -459,17 +467,6 @@ private:
   std::int64_t Wish = 0; // to stop, of this rank
   bool Stopped = false;  // agreed by all ranks
 };
-}
-
-std::vector<double> PopulationState::Fitness(double halfOverlap) const
-{
-  std::vector<double> fitness;
-  for (std::size_t i = 0; i < this->Objective.size(); ++i)
-  {
-    fitness.push_back(
-      ruc::Fitness(this->Objective[i], this->First.Maximum, this->OverlapPercent[i], halfOverlap));
-  }
-  return fitness;
 }
 
 PopulationResult SearchByPopulation(const CellContents& contents, const TwoPointProbability& target,

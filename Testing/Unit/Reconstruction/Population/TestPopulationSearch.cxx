@@ -10,7 +10,6 @@
 
 #include <omp.h>
 
-#include <atomic>
 #include <limits>
 
 namespace
@@ -342,36 +341,6 @@ TEST(PopulationSearch, StopsWhenItIsTold)
       EXPECT_EQ(result.Best.EndedBy, ruc::EndReason::Stopped);
       EXPECT_EQ(result.Best.Iterations, stopAt + 1); // and the cell
     }
-  }
-}
-
-TEST(PopulationSearch, StopsWithinTheFirstPopulation)
-{
-  PopulationSettings settings = Annealed(0);
-  settings.Population = 200;
-  for (int ranks : { 1, 2 })
-  {
-    std::atomic<int> asked(0);
-    oracle::ThreadRanks::Run(ranks,
-      [&](ruc::Communicator& communicator)
-      {
-        bool saved = false;
-        const ruc::PopulationResult result = ruc::SearchByPopulation(
-          TheSearchProblem().Contents, TheSearchProblem().Target, settings, communicator,
-          [&](const ruc::SearchState& state)
-          {
-            EXPECT_EQ(state.Iteration, 0);
-            EXPECT_GT(state.Objective, 0.0);
-            ++asked;
-            return false;
-          },
-          nullptr, [&](const ruc::PopulationState&) { saved = true; });
-        EXPECT_EQ(result.Best.EndedBy, ruc::EndReason::Stopped);
-        EXPECT_FALSE(saved); // there is no whole population to go on from
-        EXPECT_TRUE(result.Best.Overlap.IsNone());
-        EXPECT_GE(result.Before.Mean, result.Before.Minimum);
-      });
-    EXPECT_EQ(asked, ranks); // once on each, after 64 members of each
   }
 }
 
