@@ -18,7 +18,7 @@ class vtkShaderProperty;
  * its bounds from the centres, to which pictures of several ranks are then cropped.
  *
  * The actor must have the replacements of `PrepareShaders`, the mapper `SplatShaderCode` from
- * `GetShading`, a `TriangleScale` of 1 and no `ScaleFunction`.
+ * `GetShading`, a `TriangleScale` and a `ScaleFactor` of 1, and no `ScaleFunction`.
  */
 class RUCVIEWS_EXPORT vtkRUCSphereMapper : public vtkOpenGLPointGaussianMapper
 {
@@ -27,13 +27,20 @@ public:
   vtkTypeMacro(vtkRUCSphereMapper, vtkOpenGLPointGaussianMapper);
 
   /** Make an actor's shaders those of spheres. */
-  static void PrepareShaders(vtkShaderProperty* shaders);
+  void PrepareShaders(vtkShaderProperty* shaders);
+
+  /**
+   * By how much the radii are multiplied, > 0. Default: 1. It stands for the superclass's
+   * `ScaleFactor`, which reaches the shaders differently in different versions of VTK.
+   */
+  void SetSphereScale(vtkShaderProperty* shaders, double scale);
 
   /** The colours of a sphere's surface, lit as ParaView's light kit lights surfaces by default. */
   static const char* GetShading();
 
   /** Add the spheres of point sets or composites of them, with their radii: `ScaleArray` (1 where
-   * there is none) times `ScaleFactor`. */
+   * there is none) times the
+   * scale of the spheres. */
   void AddSpheres(vtkDataObject* data, vtkBoundingBox& box);
 
 protected:
@@ -46,5 +53,6 @@ private:
   vtkRUCSphereMapper(const vtkRUCSphereMapper&) = delete;
   void operator=(const vtkRUCSphereMapper&) = delete;
 
+  double SphereScale = 1.0;
   vtkTimeStamp BoundsTime;
 };

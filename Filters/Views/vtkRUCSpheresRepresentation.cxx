@@ -141,7 +141,7 @@ vtkRUCSpheresRepresentation::vtkRUCSpheresRepresentation()
 {
   this->Mapper = this->Spheres;
   this->Actor->SetMapper(this->Spheres);
-  vtkRUCSphereMapper::PrepareShaders(this->Actor->GetShaderProperty());
+  this->Spheres->PrepareShaders(this->Actor->GetShaderProperty());
   this->PresetShaderStrings[SPHERE] = vtkRUCSphereMapper::GetShading();
   this->PresetShaderScales[SPHERE] = 1.0;
 
@@ -162,6 +162,11 @@ void vtkRUCSpheresRepresentation::SetShowWindow(bool show)
     this->ShowWindow = show;
     this->MarkModified();
   }
+}
+
+void vtkRUCSpheresRepresentation::SetSplatSize(double scale)
+{
+  this->Spheres->SetSphereScale(this->Actor->GetShaderProperty(), scale);
 }
 
 void vtkRUCSpheresRepresentation::SetOpacity(double opacity)

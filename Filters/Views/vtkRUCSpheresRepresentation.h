@@ -48,6 +48,8 @@ public:
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
   void SetVisibility(bool visible) override;
   void SetOpacity(double opacity) override;
+  /** By how much the radii are multiplied, > 0. Default: 1, the true size. */
+  void SetSplatSize(double scale) override;
 
 protected:
   vtkRUCSpheresRepresentation();
