@@ -10,6 +10,18 @@ using Cell = vtkRUCUnitCellReconstruction;
 namespace
 {
 const std::string Name = "Unit Cell Reconstruction";
+
+// That a good pack is taken needs no good cell
+void Briefly(Cell* filter)
+{
+  filter->SetMaximumIterations(2);
+}
+
+void RefusesCell(const std::vector<std::string>& parts, const std::function<void(Cell*)>& spoil,
+  bool periodic = true)
+{
+  RefusesSettings<Cell>(parts, spoil, periodic, Briefly);
+}
 }
 
 TEST(CellRefusals, NoSphereOfAModeInTheCell)
@@ -23,31 +35,30 @@ TEST(CellRefusals, NoSphereOfAModeInTheCell)
         }
         p.Mode[0] = 1;
       },
-      {}, [](Cell* f) { f->SetNumberOfParticles(20); } });
+      {}, [](Cell* f) { f->SetNumberOfParticles(20); } },
+    true, Briefly);
 }
 
 TEST(CellRefusals, NoLags)
 {
-  RefusesSettings<Cell>(
-    { Name, "NumberOfLags requires", "got 0" }, [](Cell* f) { f->SetNumberOfLags(0); });
+  RefusesCell({ Name, "NumberOfLags requires", "got 0" }, [](Cell* f) { f->SetNumberOfLags(0); });
 }
 
 TEST(CellRefusals, NegativeCell)
 {
-  RefusesSettings<Cell>(
-    { Name, "CellSize requires", "got -2" }, [](Cell* f) { f->SetCellSize(-2.0); });
+  RefusesCell({ Name, "CellSize requires", "got -2" }, [](Cell* f) { f->SetCellSize(-2.0); });
 }
 
 TEST(CellRefusals, LagBeyondThePack)
 {
-  RefusesSettings<Cell>(
+  RefusesCell(
     { Name, "MaximumLag requires", "got 11.9" }, [](Cell* f) { f->SetMaximumLag(11.9); }, false);
 }
 
 // Twenty of 600 spheres in a cube of edge 12
 TEST(CellRefusals, LagBeyondTheCell)
 {
-  RefusesSettings<Cell>(
+  RefusesCell(
     { Name, "MaximumLag requires 0 < MaximumLag <= 7.85", "for a cell of edge 3.92", "got 10.5" },
     [](Cell* f)
     {
@@ -58,12 +69,12 @@ TEST(CellRefusals, LagBeyondTheCell)
 
 TEST(CellRefusals, TooLittleMemory)
 {
-  RefusesSettings<Cell>({ Name, "MemoryLimit requires at least", "MB on every rank", "got 0.001" },
+  RefusesCell({ Name, "MemoryLimit requires at least", "MB on every rank", "got 0.001" },
     [](Cell* f) { f->SetMemoryLimit(0.001); });
 }
 
 TEST(CellRefusals, NegativeIterations)
 {
-  RefusesSettings<Cell>(
+  RefusesCell(
     { Name, "MaximumIterations requires", "got -1" }, [](Cell* f) { f->SetMaximumIterations(-1); });
 }
