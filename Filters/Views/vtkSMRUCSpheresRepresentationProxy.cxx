@@ -134,11 +134,11 @@ void vtkSMRUCSpheresRepresentationProxy::ColourLateData()
 {
   vtkPVDataInformation* data = DataShown(this);
   const bool isEmpty = data && data->GetNumberOfPoints() == 0;
-  vtkSMProxy* whole = this->GetTrueParentProxy();
-  if (this->WasEmpty && !isEmpty && NumberOfModes(data) > 0 &&
-    !vtkSMPVRepresentationProxy::GetUsingScalarColoring(whole))
+  auto* whole = vtkSMPVRepresentationProxy::SafeDownCast(this->GetTrueParentProxy());
+  if (this->WasEmpty && !isEmpty && NumberOfModes(data) > 0 && whole &&
+    !whole->GetUsingScalarColoring())
   {
-    vtkSMPVRepresentationProxy::SetScalarColoring(whole, "Mode", vtkDataObject::POINT);
+    whole->SetScalarColoring("Mode", vtkDataObject::POINT);
   }
   this->WasEmpty = isEmpty;
 }
