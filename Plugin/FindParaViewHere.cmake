@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Finds ParaView, 5.11 or later, and its Qt: everything that differs between the versions and between their packages stands here. Sets
+#   RUC_MPI               whether the plugin is built with MPI,
 #   RUC_QT                "Qt5" or "Qt6", the one that this ParaView uses, with Widgets found where RUC_WINDOW is on,
 #   RUC_QT_HELP           whether the pages of the help can be built,
 #   RUC_QT_HELP_MISSING   what they lack where they cannot.
@@ -23,6 +24,12 @@ endforeach ()
 
 # Exodus is not used, but ParaView 5.13's components name libraries that only its component brings.
 find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingViews OPTIONAL_COMPONENTS VTKExtensionsIOExodus)
+
+set(has_mpi OFF)
+if (TARGET VTK::ParallelMPI)
+  set(has_mpi ON)
+endif ()
+option(RUC_MPI "Run on the ranks of MPI; OFF for a ParaView without MPI, where there is one rank" ${has_mpi})
 
 set(RUC_QT "Qt${PARAVIEW_QT_MAJOR_VERSION}")
 if (NOT PARAVIEW_QT_MAJOR_VERSION)

@@ -2,24 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RankCommunicator.h"
 
+#include "RankSignal.h"
+
 #include "ruc/Base/Text.h"
 
 #include "vtkCommunicator.h"
-#include "vtkMPIController.h"
 #include "vtkMultiProcessController.h"
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <stdexcept>
-#include <thread>
 #include <vector>
 
 namespace
 {
 // What a call of MPI, which counts in int, is asked to carry at a time
 constexpr vtkIdType MostBytes = vtkIdType(1) << 30;
-constexpr int AllToAllTag = 61301, SignalTag = 61302, HereTag = 61303;
+constexpr int AllToAllTag = 61301;
 }
 
 int RankCommunicator::Rank() const
@@ -158,7 +157,7 @@ std::vector<std::string> RankCommunicator::AllToAllBytes(std::vector<std::string
 
 void RankCommunicator::RequireMpi() const
 {
-  if (this->Size() > 1 && !vtkMPIController::SafeDownCast(this->Controller))
+  if (this->Size() > 1 && (!RankSignal::WithMpi || !this->Controller->IsA("vtkMPIController")))
   {
     throw std::invalid_argument(ruc::Text("Several ranks require MPI, got ", this->Size(),
       " ranks of a ", this->Controller->GetClassName(), "."));
@@ -175,82 +174,4 @@ std::unique_ptr<RankCommunicator> RankCommunicator::Split(int group) const
     part->Controller = part->Own;
   }
   return part;
-}
-
-RankSignal::RankSignal(const RankCommunicator& ranks)
-  : Ranks(ranks)
-  , Controller(ranks.Size() > 1 ? vtkMPIController::SafeDownCast(ranks.GetController()) : nullptr)
-{
-  if (ranks.Rank() > 0)
-  {
-    this->Controller->NoBlockReceive(&this->Message, 1, 0, SignalTag, this->Receipt);
-  }
-}
-
-RankSignal::~RankSignal()
-{
-  if (this->Ranks.Rank() > 0 && !this->Done)
-  {
-    this->Receipt.Cancel(); // an error was thrown before the end
-  }
-}
-
-void RankSignal::Give(int message)
-{
-  if (this->Done)
-  {
-    return;
-  }
-  this->Done = true;
-  this->Message = message;
-  for (int rank = 1; rank < this->Ranks.Size(); ++rank)
-  {
-    this->Controller->Send(&this->Message, 1, rank, SignalTag);
-  }
-}
-
-int RankSignal::Heard()
-{
-  if (this->Ranks.Rank() > 0 && !this->Done)
-  {
-    this->Done = this->Receipt.Test() != 0;
-  }
-  return this->Done ? this->Message : 0;
-}
-
-void RankSignal::Close(const std::function<int()>& ask)
-{
-  const int ranks = this->Ranks.Size();
-  if (this->Ranks.Rank() > 0)
-  {
-    const int here = 1;
-    this->Controller->Send(&here, 1, 0, HereTag);
-    if (!this->Done)
-    {
-      this->Receipt.Wait();
-      this->Done = true;
-    }
-    return;
-  }
-  std::vector<int> here(ranks);
-  std::vector<vtkMPICommunicator::Request> others(ranks);
-  for (int rank = 1; rank < ranks; ++rank)
-  {
-    this->Controller->NoBlockReceive(&here[rank], 1, rank, HereTag, others[rank]);
-  }
-  for (int rank = 1; rank < ranks;)
-  {
-    if (others[rank].Test())
-    {
-      ++rank;
-      continue;
-    }
-    const int message = ask();
-    if (message != 0)
-    {
-      this->Give(message);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  }
-  this->Give(0); // for which the others wait
 }

@@ -4,6 +4,7 @@
 
 #include "CheckpointFile.h"
 #include "RankCommunicator.h"
+#include "RankSignal.h"
 #include "ruc/Reconstruction/SearchCheckpoint.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RankCommunicator.h"
+#include "RankSignal.h"
 
 #include "Oracles.h"
 
