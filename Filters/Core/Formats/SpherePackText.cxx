@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Formats/SpherePackText.h"
 
+#include "ruc/Base/ParseDouble.h"
 #include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -117,12 +117,7 @@ bool ParseNumber(std::string_view field, double& value)
   {
     field.remove_prefix(1);
   }
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error == std::errc::result_out_of_range)
-  {
-    value = std::numeric_limits<double>::infinity(); // refused like one
-  }
-  return error != std::errc::invalid_argument && end == field.data() + field.size();
+  return ParseDouble(field, value); // infinity, also for what is beyond its range, is refused later
 }
 
 std::string Quote(std::string_view field)
