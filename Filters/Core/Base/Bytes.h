@@ -4,10 +4,10 @@
 
 /**
  * @file
- * Values as bytes: the one form in which they go from rank to rank and into checkpoints. Only
- * processes of one kind of machine understand each other, as no byte order is converted.
+ * Values as bytes: the one form in which they go from rank to rank and into checkpoints. No byte
+ * order is converted, so only processes on machines of one kind understand each other.
  *
- * Numbers, bool, enums, std::string, std::vector and std::array of such, and structs can be
+ * Numbers, bool, enums, std::string, std::vector and std::array of such values, and structs can be
  * written. A struct says once which fields it has, beside their declaration:
  *
  *     template <class Self>
@@ -16,7 +16,7 @@
  *       return std::tie(self.First, self.Second);
  *     }
  *
- * An enum, whose values begin at 0, says beside its declaration how many there are, so that no
+ * The values of an enum begin at 0. How many there are is said beside its declaration, so that no
  * other value is ever read:
  *
  *     constexpr int CountOf(Colour) { return 3; }
@@ -37,7 +37,10 @@
 
 namespace ruc
 {
-/** Whether the bytes of a value can be copied as they stand: every pattern of bits is a value. */
+/**
+ * Whether the bytes of a value can be copied as they stand, which holds where every pattern of bits
+ * is a value.
+ */
 template <class Value>
 struct IsPlain : std::bool_constant<std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>>
 {
@@ -47,7 +50,7 @@ struct IsPlain<std::array<Value, Size>> : IsPlain<Value>
 {
 };
 
-/** Appends values to bytes. */
+/** Appends values to `Bytes`. */
 class ByteWriter
 {
 public:
@@ -102,14 +105,16 @@ public:
 };
 
 /**
- * Takes values from bytes in the order in which they were put. Throws std::invalid_argument, "The
- * checkpoint is damaged: its lengths do not fit." or "… it holds a value that cannot be.", where
- * the bytes end too early and where a bool or an enum would get a value that it does not have.
+ * Takes values from bytes in the order in which they were put.
+ *
+ * Throws std::invalid_argument, such as "The checkpoint is damaged: its lengths do not fit.", where
+ * the bytes end too early or are left over, and "… it holds a value that cannot be." where a bool
+ * or an enum would get a value that it does not have.
  */
 class ByteReader
 {
 public:
-  /** `what` names the bytes in messages; they must outlive the reader. */
+  /** `what` names the bytes in messages. The bytes must outlive the reader. */
   explicit ByteReader(std::string_view bytes, std::string what = "message between ranks")
     : Rest(bytes)
     , What(std::move(what))
@@ -192,7 +197,7 @@ public:
     return taken;
   }
 
-  /** To be called after the last value: nothing may be left. */
+  /** Throws std::invalid_argument where bytes are left. It is called after the last value. */
   void Finish() const { this->Require(this->Rest.empty(), WrongLengths); }
 
 private:
@@ -216,7 +221,7 @@ private:
   std::string What;
 };
 
-/** A value as bytes. */
+/** Returns a value as bytes. */
 template <class Value>
 std::string ToBytes(const Value& value)
 {
@@ -225,7 +230,7 @@ std::string ToBytes(const Value& value)
   return std::move(writer.Bytes);
 }
 
-/** Sets a value to the one that ToBytes made these bytes of. */
+/** Sets a value to the one from which ToBytes made these bytes. */
 template <class Value>
 void FromBytes(std::string_view bytes, Value& value)
 {

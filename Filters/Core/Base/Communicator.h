@@ -15,8 +15,8 @@
 namespace ruc
 {
 /**
- * How the ranks of a computation that has to talk in every step do so. Every method but Rank and
- * Size is collective; this class itself is the one rank of a serial run.
+ * How the ranks of a computation talk to each other. Every method but Rank and Size is collective:
+ * all ranks call it, in the same order. This class itself is the single rank of a serial run.
  *
  * What goes from rank to rank may be of any type that Bytes.h writes.
  */
@@ -30,12 +30,14 @@ public:
   /** Replaces every number by its sum over the ranks. */
   virtual void Sum(std::int64_t* /*values*/, std::size_t /*count*/) {}
 
-  /** Replaces every number by its least over the ranks. */
+  /** Replaces every number by the least that any rank has. */
   virtual void Minimum(std::int32_t* /*values*/, std::size_t /*count*/) {}
   virtual void Minimum(double* /*values*/, std::size_t /*count*/) {}
 
-  /** Replaces every number by its sum over the ranks, added in the order of the ranks: the same on
-   * all of them and in every run, but not for another number of ranks. */
+  /**
+   * Replaces every number by its sum over the ranks, which is added up in the order of the ranks.
+   * The sum is the same on all ranks and in every run, but not for another number of ranks.
+   */
   void Sum(double* values, std::size_t count)
   {
     const std::vector<std::vector<double>> all =
@@ -50,7 +52,7 @@ public:
     }
   }
 
-  /** Whether all ranks say yes. */
+  /** Returns whether all ranks say yes. */
   bool All(bool yes)
   {
     std::int32_t least = yes;
@@ -58,7 +60,7 @@ public:
     return least != 0;
   }
 
-  /** The lowest rank that says yes; Size() where none does. */
+  /** Returns the lowest rank that says yes, or Size() where none does. */
   int LowestRank(bool yes)
   {
     std::int32_t lowest = yes ? this->Rank() : this->Size();
@@ -66,7 +68,7 @@ public:
     return lowest;
   }
 
-  /** Replaces the value on every rank by the one of rank `root`. */
+  /** Replaces the value on every rank by that of rank `root`. */
   template <class Value>
   void Broadcast(Value& value, int root)
   {
@@ -82,7 +84,7 @@ public:
     }
   }
 
-  /** The values of all ranks, in their order. */
+  /** Returns the values of all ranks, in the order of the ranks. */
   template <class Value>
   std::vector<Value> AllGather(const Value& own)
   {
@@ -93,7 +95,7 @@ public:
     return FromAllBytes<Value>(this->AllGatherBytes(ToBytes(own), {}));
   }
 
-  /** The values of all ranks, those of rank 0 first. */
+  /** Returns the values of all ranks in one list, those of rank 0 first. */
   template <class Value>
   std::vector<Value> Concatenate(const std::vector<Value>& own)
   {
@@ -106,8 +108,8 @@ public:
   }
 
   /**
-   * Of `count` blocks of numbers, block n from begin(n) to begin(n + 1) was worked out by rank
-   * n % Size(). Afterwards every rank has them all.
+   * Shares `count` blocks of numbers, of which block n was worked out by rank n % Size(). It lies
+   * from values + begin(n) to values + begin(n + 1). Afterwards every rank has all blocks.
    */
   template <class Begin>
   void AllGatherInTurn(double* values, std::size_t count, Begin&& begin)
@@ -138,7 +140,7 @@ public:
     }
   }
 
-  /** `outgoing[q]` goes to rank q; returned is what came from each rank, this one included. */
+  /** Sends `outgoing[q]` to rank q, and returns what came from each rank, this one included. */
   template <class Value>
   std::vector<Value> AllToAll(std::vector<Value> outgoing)
   {
@@ -154,7 +156,10 @@ public:
     return FromAllBytes<Value>(this->AllToAllBytes(std::move(bytes)));
   }
 
-  /** The text of the lowest rank where it is not empty. */
+  /**
+   * Returns the text of the lowest rank that has one that is not empty, or an empty text where none
+   * has.
+   */
   std::string FirstText(const std::string& text)
   {
     const int first = this->LowestRank(!text.empty());
@@ -167,9 +172,9 @@ public:
   }
 
   /**
-   * Throws std::invalid_argument on every rank when `error` is not empty on any, with the text of
-   * the lowest rank that has one. What can fail on one rank alone is agreed on in this way before
-   * any rank goes on.
+   * Throws std::invalid_argument on every rank when `error` is not empty on any rank, with the text
+   * of the lowest rank that has one. What can fail on one rank alone is agreed on in this way
+   * before any rank goes on.
    */
   void ThrowIfAny(const std::string& error)
   {
@@ -180,8 +185,10 @@ public:
     }
   }
 
-  /** Does work that may throw std::invalid_argument on one rank alone, and throws that of the
-   * lowest rank on every rank. The work must not be collective itself. */
+  /**
+   * Does work that may throw std::invalid_argument on one rank alone, and throws the error of the
+   * lowest rank on every rank. The work itself must not be collective.
+   */
   template <class Work>
   void Agree(Work&& work)
   {
@@ -198,8 +205,8 @@ public:
   }
 
 protected:
-  // The same for bytes, where there is more than one rank; `sizes` of what every rank gathers are
-  // empty where the ranks do not know them
+  // The same for bytes. They are called only where there is more than one rank. `sizes` says how
+  // many bytes every rank gathers, and is empty where the ranks do not know.
   virtual void BroadcastBytes(std::string& /*bytes*/, int /*root*/) {}
   virtual std::vector<std::string> AllGatherBytes(
     std::string own, const std::vector<std::size_t>& /*sizes*/)

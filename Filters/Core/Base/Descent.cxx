@@ -14,7 +14,7 @@ namespace
 using Numbers = std::vector<double>;
 using EvaluateFunction = std::function<bool(const double* place, double* gradient, double& value)>;
 
-// Of the weak Wolfe conditions
+// The constants of the weak Wolfe conditions
 constexpr double SufficientDecrease = 1e-4, SufficientFlattening = 0.9;
 
 double Dot(const Numbers& a, const Numbers& b)
@@ -22,14 +22,14 @@ double Dot(const Numbers& a, const Numbers& b)
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// a + t b
+// Adds t b to a
 void AddScaled(Numbers& a, double t, const Numbers& b)
 {
   std::transform(
     a.begin(), a.end(), b.begin(), a.begin(), [&](double x, double y) { return x + t * y; });
 }
 
-// The two-loop recursion
+// The direction of the next step, by the two-loop recursion
 Numbers Direction(const DescentState& state, double firstStep)
 {
   Numbers direction = state.Gradient;
@@ -87,13 +87,13 @@ struct Point
   double Value = 0.0;
 };
 
-// Whether `evaluate` went on, and whether a point was found
+// Whether `evaluate` gave up, and whether a point was found
 struct LineEnd
 {
   bool GivenUp = false, Found = false;
 };
 
-// A point down the direction that meets the weak Wolfe conditions
+// Finds a point along the direction that meets the weak Wolfe conditions
 LineEnd SearchLine(const DescentState& state, const Numbers& direction, int maximumTrials,
   const EvaluateFunction& evaluate, Point& point)
 {
@@ -124,7 +124,6 @@ LineEnd SearchLine(const DescentState& state, const Numbers& direction, int maxi
   return {};
 }
 
-// One iteration
 void MoveTo(DescentState& state, Point point, std::size_t memory)
 {
   Numbers step = point.Place, change = point.Gradient;

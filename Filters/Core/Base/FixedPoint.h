@@ -13,7 +13,7 @@ namespace ruc
  */
 constexpr double FixedPointRounder = 6755399441055744.0;
 
-/** The whole number nearest to `value`, |value| < 2^51. */
+/** Returns the whole number nearest to `value`, where |value| < 2^51. */
 inline std::int64_t RoundToFixedPoint(double value)
 {
   const double shifted = value + FixedPointRounder;
@@ -24,8 +24,9 @@ inline std::int64_t RoundToFixedPoint(double value)
 }
 
 /**
- * A sum of fixed-point numbers that 64 bits cannot hold: limbs[0] + 2^32 limbs[1]. Such sums may be
- * added limb by limb; neither limb overflows before 2^31 of them.
+ * Adds a number to a sum of fixed-point numbers that 64 bits cannot hold. The sum is limbs[0] +
+ * 2^32 limbs[1]. Such sums may be added limb by limb; neither limb overflows before 2^31 numbers
+ * were added.
  */
 inline void AddWide(std::int64_t value, std::int64_t* limbs)
 {
@@ -33,7 +34,7 @@ inline void AddWide(std::int64_t value, std::int64_t* limbs)
   limbs[1] += value >> 32;
 }
 
-/** The double nearest to such a sum. */
+/** Returns the double nearest to such a sum. */
 inline double WideValue(const std::int64_t* limbs)
 {
   __extension__ using Wide = __int128;

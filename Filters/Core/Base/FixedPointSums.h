@@ -11,8 +11,8 @@
 namespace ruc
 {
 /**
- * Sums of any number of fixed-point numbers, in two stages: 64-bit sums for the inner loops, which
- * are carried into wider ones (AddWide) before they can overflow.
+ * Sums of any number of fixed-point numbers, in two stages: the inner loops add to 64-bit sums,
+ * which are carried into wider ones (AddWide) before they can overflow.
  *
  * Terms are scaled to at most 2^TermBits. Between two carries no sum takes more than MostTerms =
  * 2^(62 - TermBits) terms, so that it stays below 2^62.
@@ -29,7 +29,10 @@ public:
   {
   }
 
-  /** Where the next terms, at most `terms` <= MostTerms for any one sum, may be added. */
+  /**
+   * Returns the 64-bit sums, to which the next terms may be added: to any one sum at most `terms`
+   * of them, which is at most MostTerms.
+   */
   std::int64_t* Take(std::int64_t terms)
   {
     this->Pending += terms;
@@ -41,7 +44,7 @@ public:
     return this->Partial.data();
   }
 
-  /** The wide sums, two limbs each. */
+  /** Returns the wide sums, two limbs each. */
   const std::vector<std::int64_t>& Finish()
   {
     this->Carry();

@@ -8,8 +8,9 @@
 namespace ruc
 {
 /**
- * What random numbers are drawn for. Draws for different purposes share no numbers: each has a
- * stream of its own, and a purpose with several parts takes the streams from its own upwards.
+ * What random numbers are drawn for. Every purpose has a stream of its own, so that draws for
+ * different purposes share no numbers. A purpose with several parts takes the streams from its own
+ * upwards.
  */
 enum class RandomStream : std::uint32_t
 {
@@ -25,21 +26,23 @@ enum class RandomStream : std::uint32_t
 };
 
 /**
- * Three numbers uniform in [0, 1) that depend on seed, stream, sample and part alone:
- * Philox4x32-10 of Random123 with the seed as key. They are the same on every rank, thread and
- * machine.
+ * Returns three numbers uniform in [0, 1) that depend on seed, stream, sample and part alone. They
+ * are those of Philox4x32-10 of Random123, with the seed as key, and the same on every rank, thread
+ * and machine.
  */
 std::array<double, 3> UniformTriple(
   std::uint32_t seed, RandomStream stream, std::uint64_t sample, std::uint32_t part = 0);
 
-/** Uniform random numbers in [0, 1) that depend on (seed, stream, sequence) alone (UniformTriple);
- * a sequence holds 3 x 2^24 of them. */
+/**
+ * A sequence of random numbers uniform in [0, 1) that depend on (seed, stream, sequence) alone
+ * (UniformTriple). It holds 3 x 2^24 of them.
+ */
 class RandomSequence
 {
 public:
   RandomSequence(std::uint32_t seed, RandomStream stream, std::uint64_t sequence);
   double Next();
-  /** Uniform in 0…count - 1. */
+  /** Returns a whole number uniform in 0…count - 1. */
   int NextIndex(int count);
 
 private:

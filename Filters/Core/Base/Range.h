@@ -11,15 +11,17 @@
 
 namespace ruc
 {
-/** The values that a setting may have; never NaN, and infinite ones only where `High` is. */
+/**
+ * The interval of the values that a setting may have. NaN and infinite values are in no interval.
+ */
 class Range
 {
 public:
   static constexpr Range AtLeast(double low) { return { low, true, Infinity }; }
   static constexpr Range Above(double low) { return { low, false, Infinity }; }
-  /** Both ends included. */
+  /** From `low` to `high`, both included. */
   static constexpr Range From(double low, double high) { return { low, true, high }; }
-  /** The lower end excluded, the upper one included. */
+  /** Above `low` up to `high`, which is included. */
   static constexpr Range Above(double low, double high) { return { low, false, high }; }
 
   bool Contains(double value) const
@@ -28,7 +30,7 @@ public:
       (this->LowIsIncluded ? value >= this->Low : value > this->Low);
   }
 
-  /** "0 < MutatedShare <= 1", "Population >= 2". */
+  /** The condition as text, such as "0 < MutatedShare <= 1" or "Population >= 2". */
   std::string Describe(const char* name) const
   {
     return this->High == Infinity
@@ -36,8 +38,10 @@ public:
       : Text(this->Low, this->LowIsIncluded ? " <= " : " < ", name, " <= ", this->High);
   }
 
-  /** Throws std::invalid_argument "Population requires Population >= 2, got 1." for a value
-   * outside. */
+  /**
+   * Throws std::invalid_argument, such as "Population requires Population >= 2, got 1.", for a
+   * value outside.
+   */
   void Check(const char* name, double value) const
   {
     if (!this->Contains(value))

@@ -9,8 +9,8 @@
 namespace ruc
 {
 /**
- * Throws std::invalid_argument "Seed requires a number >= 0, got -1." unless `good`: how every
- * refusal of a setting reads.
+ * Throws std::invalid_argument, such as "Seed requires a number >= 0, got -1.", unless `good`.
+ * Every refusal of a setting reads like this.
  */
 template <class What, class Got>
 void Require(bool good, const char* name, const What& what, const Got& got)

@@ -7,7 +7,7 @@
 
 namespace ruc
 {
-/** Joins its arguments, as operator<< prints them, for messages. */
+/** Joins its arguments to one text, each as operator<< prints it, for messages. */
 template <class... Parts>
 std::string Text(const Parts&... parts)
 {

@@ -9,9 +9,9 @@
 namespace ruc
 {
 /**
- * The outline of a box, or of its `tile`-th repetition along each axis: calls corner(point) for its
- * eight corners, then edge(a, b) for its twelve edges, each between two corners by their number in
- * that order.
+ * Walks the outline of a box, or of its repetition by `tile` whole edges along each axis: calls
+ * corner(point) for its eight corners, then edge(a, b) for its twelve edges, where a and b are the
+ * numbers of two corners in that order.
  */
 template <class Corner, class Edge>
 void ForEachOfOutline(const Vector3& origin, const Vector3& size, const std::array<int, 3>& tile,

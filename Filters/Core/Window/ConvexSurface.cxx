@@ -11,7 +11,8 @@ namespace ruc
 {
 namespace
 {
-// The part of a polyhedron where heights are >= 0, corner by corner of the faces of the whole
+// The part of a polyhedron where heights are >= 0, made from the faces of the whole, corner by
+// corner
 class Half
 {
 public:
@@ -68,7 +69,8 @@ public:
   }
 
 private:
-  // The number of point a, where b is the same, or of where the plane cuts the edge from a to b
+  // The number of point a where b is the same, else of the point where the plane cuts the edge from
+  // a to b
   int Add(int a, int b)
   {
     const auto ends = std::minmax(a, b);
@@ -84,7 +86,7 @@ private:
 
   Vector3 CutEdge(int a, int b) const
   {
-    // From the lower end, whichever half is kept
+    // From the lower end, so that both halves get the same point
     const bool upwards = this->Whole.Points[a][this->Axis] < this->Whole.Points[b][this->Axis];
     const Vector3& low = this->Whole.Points[upwards ? a : b];
     const Vector3& high = this->Whole.Points[upwards ? b : a];
@@ -104,7 +106,7 @@ private:
   const double Level;
   ConvexSurface Kept;
   std::map<std::pair<int, int>, int> Numbers; // of a point twice, or of the ends of a cut edge
-  std::map<int, int> Rim; // the edges in the plane, as the closing face has them
+  std::map<int, int> Rim; // the edges in the plane, in the sense of the closing face
 };
 }
 

@@ -9,8 +9,8 @@
 namespace ruc
 {
 /**
- * The closed surface of a convex polyhedron: faces as points in order, counter-clockwise from
- * outside, every edge shared by two of them.
+ * The closed surface of a convex polyhedron. A face is a list of places in `Points`,
+ * counter-clockwise as seen from outside. Every edge belongs to two faces.
  */
 struct ConvexSurface
 {
@@ -18,10 +18,11 @@ struct ConvexSurface
   std::vector<std::vector<int>> Faces;
 
   /**
-   * Keep what is above (`side` 1) or below (-1) the plane where coordinate `axis` is `level`, and
-   * close it with one face in that plane, the last. Nothing is left of a polyhedron beyond the
-   * plane. Points closer to it than `tolerance` are moved onto it, so that the two halves of a
-   * polyhedron have the same face there, corner by corner.
+   * Keeps the part of the polyhedron above (`side` 1) or below (`side` -1) the plane in which
+   * coordinate `axis` is `level`, and closes it by one face in that plane, which comes last. Where
+   * the whole polyhedron lies beyond the plane, nothing is left. Points closer to the plane than
+   * `tolerance` are moved onto it, so that the two halves of a polyhedron have the same face there,
+   * corner by corner.
    */
   void Cut(int axis, double level, int side, double tolerance);
 };

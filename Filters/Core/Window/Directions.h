@@ -9,9 +9,9 @@
 namespace ruc
 {
 /**
- * Directions (of length 1) spread evenly over the half sphere z > 0, on a Fibonacci spiral: every
- * one stands for the same solid angle.
- * Throws std::invalid_argument for a count below 2.
+ * Returns directions (of length 1) that are spread evenly over the half sphere z > 0, on a
+ * Fibonacci spiral; every one stands for the same solid angle. Throws std::invalid_argument for a
+ * count below 2.
  */
 std::vector<Vector3> EvenDirections(int count);
 }

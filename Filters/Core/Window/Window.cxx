@@ -56,7 +56,7 @@ void RequirePositive(const char* name, double value)
   }
 }
 
-// Area shared by two discs of one radius.
+// The area that two discs of the same radius share
 double SharedDiscArea(double radius, double distance)
 {
   const double x = distance / (2.0 * radius);
@@ -222,9 +222,10 @@ Window Window::GetBounds() const
   return MakeBox(origin, size, { false, false, false });
 }
 
-// The cube root of the set covariance of a convex window is concave, so its least value over a
-// polytope is at a corner; this one holds the ball: no component above reach, no two together above
-// sqrt(2) reach, no three above sqrt(3) reach.
+// By the Brunn-Minkowski inequality the cube root of the set covariance of a convex window is
+// concave, so its least value over a polytope is at a corner. This polytope holds the ball: no
+// component above reach, the sum of no two above sqrt(2) reach, the sum of all three not above
+// sqrt(3) reach.
 double Window::LeastSetCovariance(double reach) const
 {
   const double steps[3] = { reach, (std::sqrt(2.0) - 1.0) * reach,
@@ -233,7 +234,7 @@ double Window::LeastSetCovariance(double reach) const
   if (this->WindowShape == Shape::Cylinder)
   {
     const Vector3& a = this->Axis;
-    // a direction across the axis
+    // A direction across the axis
     Vector3 b = std::abs(a[0]) < 0.5 ? Vector3{ 0.0, a[2], -a[1] } : Vector3{ a[1], -a[0], 0.0 };
     const double length = std::hypot(b[0], b[1], b[2]);
     for (int along : { 0, 1 })

@@ -11,15 +11,16 @@
 namespace ruc
 {
 /**
- * Lengths that are taken, radii, edges and the magnitude of coordinates: with them volumes, and the
- * ratios and products of two volumes, neither overflow nor vanish.
+ * The range of lengths that are taken: of radii, edges and the magnitude of coordinates. Within it
+ * volumes, and the ratios and products of two volumes, neither overflow nor vanish.
  */
 constexpr double LeastLength = 1e-50;
 constexpr double GreatestLength = 1e50;
 
 /**
- * The region in which the centres of a pack were observed: a box, each axis of which may be
- * periodic, or a circular cylinder of any axis direction. Lengths are in the unit of the pack.
+ * The region in which the centres of a pack were observed. It is a box, each axis of which may be
+ * periodic, or a circular cylinder whose axis has any direction. Lengths are in the unit of the
+ * pack.
  */
 class Window
 {
@@ -32,16 +33,21 @@ public:
   friend constexpr int CountOf(Shape) { return 2; }
 
   /**
-   * A box from `origin` to `origin + size`.
-   * Throws std::invalid_argument unless every number is finite and every edge is > 0.
+   * Makes a box from `origin` to `origin + size`.
+   *
+   * Throws std::invalid_argument unless every coordinate of the origin is finite and at most
+   * GreatestLength in magnitude, and every edge is from LeastLength to GreatestLength.
    */
   static Window MakeBox(
     const Vector3& origin, const Vector3& size, const std::array<bool, 3>& periodic);
 
   /**
-   * A cylinder from `base`, the centre of its base, along `axis` (any length but 0) over `height`.
-   * Throws std::invalid_argument unless every number is finite and radius, height and |axis| are >
-   * 0.
+   * Makes a cylinder from `base`, the centre of its base, along `axis` (of any length but 0) over
+   * `height`.
+   *
+   * Throws std::invalid_argument unless every number is finite, |axis| > 0, the base at most
+   * GreatestLength in magnitude along each axis, and radius and height from LeastLength to
+   * GreatestLength.
    */
   static Window MakeCylinder(
     const Vector3& base, const Vector3& axis, double radius, double height);
@@ -52,45 +58,52 @@ public:
   double Volume() const;
 
   /**
-   * Whether a centre lies in the window, on any of its faces included. Along a periodic axis a
-   * centre a rounding error outside (1e-9 of the edge) still counts.
+   * Returns whether a centre lies in the window, whose faces belong to it. Along a periodic axis a
+   * centre that is outside by no more than a rounding error (1e-9 of the edge) still counts.
    */
   bool Contains(const Vector3& centre) const;
 
   /**
    * Set covariance: the volume of the window's intersection with itself displaced by (dx, dy, dz).
-   * A periodic axis does not lose volume.
+   * A displacement along a periodic axis loses no volume.
    */
   double SetCovariance(double dx, double dy, double dz) const;
 
   /**
-   * The window without a layer of thickness `margin` along its border; a periodic axis has no
-   * border and keeps its edge. Throws std::invalid_argument unless the margin passes RequireMargin
-   * and leaves a volume.
+   * Returns the window without a layer of thickness `margin` along its border. A periodic axis has
+   * no border and keeps its edge. Throws std::invalid_argument unless the margin passes
+   * RequireMargin and leaves a volume.
    */
   Window Shrunk(double margin) const;
 
-  /** The smallest box with edges along the axes that holds the window. */
+  /**
+   * Returns the smallest box with edges along the axes that holds the window. A box is its own,
+   * with its periodic axes.
+   */
   Window GetBounds() const;
 
-  /** A lower bound of the set covariance over all displacements of a length up to `reach`. */
+  /**
+   * Returns a lower bound of the set covariance over all displacements of a length up to `reach`.
+   */
   double LeastSetCovariance(double reach) const;
 
-  /** Every displacement shorter than this has a set covariance > 0; infinity where all axes are
-   * periodic. */
+  /**
+   * Returns the length below which every displacement has a set covariance > 0. It is infinite
+   * where all axes are periodic.
+   */
   double Reach() const;
 
-  /** The shortest edge; of a cylinder the lesser of diameter and height. */
+  /** Returns the shortest edge of a box, or the lesser of diameter and height of a cylinder. */
   double ShortestEdge() const;
 
-  /** "box window 1445 x 1288 x 789" and the like, for messages. */
+  /** The window in words for messages, such as "box window 1445 x 1288 x 789". */
   std::string Describe() const;
 
-  // Box
+  // Of a box
   Vector3 Origin{};
   Vector3 Size{};
   std::array<bool, 3> Periodic{};
-  // Cylinder; Axis has length 1
+  // Of a cylinder, whose Axis has length 1
   Vector3 Base{};
   Vector3 Axis{};
   double Radius = 0.0;
