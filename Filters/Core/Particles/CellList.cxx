@@ -13,7 +13,8 @@ int CellList::Axis::CellOf(double c) const
   return std::clamp(static_cast<int>((c - this->Origin) / this->Width), 0, this->Count - 1);
 }
 
-// A reach may be that many cells of a narrow pack that their number is no int
+// The reach may be so many cells of a narrow pack that their number does not fit an int, hence the
+// clamps
 int CellList::Axis::FirstCell(double c, double reach) const
 {
   const double cell = std::floor((c - reach - this->Origin) / this->Width);
@@ -138,7 +139,7 @@ CellList::Grid CellList::MakeGrid(const SpherePack& pack, const std::vector<std:
   return grid;
 }
 
-// A counting sort by cell; within a cell the order of the pack stays
+// A counting sort by cell, in which the order of the pack stays within a cell
 void CellList::Sort(const SpherePack& pack, const std::vector<std::uint32_t>& members, Grid& grid)
 {
   std::vector<std::size_t> cellOf;
@@ -224,8 +225,8 @@ void CellList::AppendRanges(const Grid& grid, const Vector3& point, double reach
   std::size_t after, std::vector<Range>& ranges)
 {
   const Axis &ax = grid.Axes[0], &ay = grid.Axes[1], &az = grid.Axes[2];
-  // A centre's cell was found with rounding; the slack keeps a pair at the very reach from being
-  // missed.
+  // Centres were put into cells with rounding; the slack keeps a pair at exactly the reach from
+  // being missed.
   const double ball = reach + 1e-12 * (reach + ax.Edge + ay.Edge + az.Edge);
   const double x = point[0], y = point[1], z = point[2];
   const int cx = ax.CellOf(x), cy = ay.CellOf(y), cz = az.CellOf(z);

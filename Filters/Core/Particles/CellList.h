@@ -14,32 +14,38 @@
 namespace ruc
 {
 /**
- * The centres of a pack sorted into grids of cells, one for each class of size, for finding every
+ * The centres of a pack sorted into grids of cells, one grid for each class of size. It finds every
  * pair of centres that are close enough to matter: closer than the reach of their classes
  * (SizeClasses).
  *
- * Along a periodic axis the images of a centre count as centres of their own; the reach may exceed
+ * Along a periodic axis the images of a centre count as centres of their own. The reach may exceed
  * the box, in which case a sphere meets several images of another one, and of itself. Memory is
  * linear in the number of spheres; images are not stored.
  */
 class CellList
 {
 public:
-  /** `pack` must lie in `window` with the periodic axes wrapped (WrapIntoBox). */
+  /** The periodic axes of `pack` must be wrapped into `window` (WrapIntoBox). */
   CellList(const SpherePack& pack, const Window& window, const SizeClasses& classes);
 
-  /** The same with one reach for all pairs, `cutoff` > 0, whatever the radii. */
+  /** The same with one reach `cutoff` > 0 for all pairs, whatever the radii. */
   CellList(const SpherePack& pack, const Window& window, double cutoff);
 
-  /** Centres, in the order of the classes from the largest spheres down, and of their cells. */
+  /**
+   * The centres in sorted order: by class, the largest spheres first, and within a class by cell. A
+   * place in these arrays is called a sorted place.
+   */
   std::vector<double> X, Y, Z;
-  /** Place of each of these centres in the pack. */
+  /** The place in the pack of each of these centres. */
   std::vector<std::uint32_t> Index;
 
   std::size_t Size() const { return this->X.size(); }
 
-  /** Sorted places [Begin, End), to be met by a centre at (X, Y, Z): its own place, less the
-   * range's periodic shift. They matter if they are closer than the reach. */
+  /**
+   * The sorted places [Begin, End), which a centre at (X, Y, Z) has to be paired with. This is the
+   * centre's own position less the periodic shift of the range. A pair matters if it is closer than
+   * Reach.
+   */
   struct Range
   {
     std::size_t Begin, End;
@@ -48,37 +54,40 @@ public:
   };
 
   /**
-   * Puts into `ranges` the places that the i-th centre has to be paired with. Over all i, every
-   * unordered pair of a centre and an image of a centre closer than the reach appears in exactly
-   * one range. A range also holds centres beyond the reach.
+   * Replaces `ranges` by the places that the i-th sorted centre has to be paired with. Over all i,
+   * every unordered pair of a centre and an image of a centre closer than the reach appears in
+   * exactly one range. A range also holds centres beyond the reach.
    */
   void FindRanges(std::size_t i, std::vector<Range>& ranges) const;
 
   /**
-   * Calls visit(i, j, dx, dy, dz, d2) for every pair of a centre and an image of a centre closer
-   * than the reach, once: i and j are their places in the pack, (dx, dy, dz) leads from i to the
-   * image of j, and d2 is its square. Loops that take whole ranges at a time use FindRanges.
+   * Calls visit(i, j, dx, dy, dz, d2) once for every pair of a centre and an image of a centre
+   * closer than the reach. i and j are their places in the pack, (dx, dy, dz) leads from i to the
+   * image of j, and d2 is its squared length. Loops that take whole ranges at a time use
+   * FindRanges.
    */
   template <class Visit>
   void ForEachPair(Visit&& visit) const;
 
-  /** The same for a centre that is not in the list, of class `sizeClass`: the places of all centres
-   * closer to it than the reach, and of others. */
+  /**
+   * Does what FindRanges does for a point that is not in the list, as a centre of class
+   * `sizeClass`: the ranges hold all centres closer to it than the reach, and others.
+   */
   void FindRangesAround(const Vector3& point, int sizeClass, std::vector<Range>& ranges) const;
 
-  /** The class of the i-th centre. */
+  /** The class of the i-th sorted centre. */
   int ClassOf(std::size_t i) const;
 
   /**
-   * Calls visit(begin, end) for stretches of places that hold, with others, all centres closer than
-   * `reach` to a disc of the given middle, normal (of length 1) and radius: for lists of one class
-   * without periodic axes.
+   * Calls visit(begin, end) for stretches of sorted places that hold all centres closer than
+   * `reach` to a disc, and others. The disc has the given middle, normal (of length 1) and radius.
+   * The list must have one class and no periodic axis.
    */
   template <class Visit>
   void ForEachNearDisc(
     const Vector3& middle, const Vector3& normal, double radius, double reach, Visit&& visit) const;
 
-  /** No centre can have more than this many others, images included, within the reach. */
+  /** An upper bound of how many others, images included, any centre has within the reach. */
   std::int64_t MostNeighbours() const;
 
 private:
@@ -89,24 +98,24 @@ private:
     bool Periodic;
 
     int CellOf(double c) const;
-    // First and last cell, images included, that c - reach to c + reach meets
+    // The first and last cell, images included, that the interval from c - reach to c + reach meets
     int FirstCell(double c, double reach) const;
     int LastCell(double c, double reach) const;
-    // Distance from c to the slab of cell k
+    // The distance from c to the slab of cell k
     double DistanceTo(double c, int k) const;
     // By how many edges the cell k lies outside the box
     int ImageOf(int k) const;
   };
 
-  // The centres of a class, at sorted places from First on
+  // The cells of a class, whose centres are at the sorted places from First on
   struct Grid
   {
     Axis Axes[3];
     std::size_t First = 0;
-    std::vector<std::size_t> CellBegin; // first sorted place of each cell, and the end
+    std::vector<std::size_t> CellBegin; // the first sorted place of each cell, and the end
 
     std::size_t CellNumber(int cx, int cy, int cz) const;
-    // The number of cells that a ball of radius `reach` may meet, at most
+    // An upper bound of the number of cells that a ball of radius `reach` meets
     double MostCells(double reach) const;
     std::size_t FullestCell() const;
   };
@@ -116,13 +125,13 @@ private:
     const Window& window, double reach) const;
   // Appends the members to the sorted places
   void Sort(const SpherePack& pack, const std::vector<std::uint32_t>& members, Grid& grid);
-  // Appends the ranges of a grid that a ball around the point meets; with `half` the point is the
-  // centre at the place `after`, and of its own class only the centres that come after it count
+  // Appends the ranges of a grid that a ball around the point meets. With `half` the point is the
+  // centre at the place `after`, and of its own class only the centres that come after it count.
   static void AppendRanges(const Grid& grid, const Vector3& point, double reach, bool half,
     std::size_t after, std::vector<Range>& ranges);
 
   SizeClasses Classes;
-  std::vector<Grid> Grids; // of every class
+  std::vector<Grid> Grids; // one for every class
 };
 
 template <class Visit>
@@ -155,7 +164,7 @@ void CellList::ForEachNearDisc(
 {
   const Grid& grid = this->Grids.front();
   const Axis &ax = grid.Axes[0], &ay = grid.Axes[1], &az = grid.Axes[2];
-  // A centre's cell was found with rounding
+  // Centres were put into cells with rounding
   const double slack = 1e-12 * (radius + reach + ax.Edge + ay.Edge + az.Edge);
   const double thick = reach + slack, ball = radius + thick;
   const auto outside = [&](const Axis& axis, double c)

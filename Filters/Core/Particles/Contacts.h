@@ -11,9 +11,9 @@
 namespace ruc
 {
 /**
- * Calls visit(i, j, dx, dy, dz, d) for every pair of spheres of a wrapped pack, i and j their
- * places in it, whose centres are closer than `reach` times the sum of their radii. (dx, dy, dz) of
- * length d leads from i to the image of j.
+ * Calls visit(i, j, dx, dy, dz, d) for every pair of spheres whose centres are closer than `reach`
+ * times the sum of their radii. i and j are their places in the pack, which must be wrapped into
+ * the window; (dx, dy, dz), of length d, leads from i to the image of j.
  */
 template <class Visit>
 void ForEachContact(const SpherePack& pack, const Window& window, double reach, Visit&& visit)

@@ -9,10 +9,11 @@ namespace ruc
 {
 namespace
 {
-constexpr double SecondsPerSphere = 1e-6; // shared, sorted, its overlap
+constexpr double SecondsPerSphere = 1e-6; // for sharing, sorting and overlap
 constexpr double BytesPerSphere = 250.0;
 
-// Of the pairs of an even medium in a cube of edge 1, the share closer than r <= 1
+// The share of all pairs of points, spread evenly over a cube of edge 1, that are closer than r <=
+// 1
 double CubePairShare(double r)
 {
   return r * r * r * (4.0 / 3.0 * Pi + r * (-1.5 * Pi + r * (1.6 - r / 6.0)));

@@ -7,26 +7,30 @@
 
 namespace ruc
 {
-/** What estimates have to know of a pack. */
+/** What estimates have to know about a pack. Lengths are in its unit. */
 struct PackFigures
 {
   double Spheres = 0.0;
-  Window Observed; // of the centres
+  Window Observed; // in which the centres lie
   double MeanRadius = 0.0;
   double MeanSquareRadius = 0.0;
   double LargestRadius = 0.0;
-  double MeanDiameter = 0.0; // volume mean
+  double MeanDiameter = 0.0; // the volume mean
   int Modes = 1;
-  int Types = 1; // of spheres: mode and radius
+  int Types = 1; // the number of different pairs of mode and radius
 
+  /** The number of spheres per unit volume. */
   double Density() const { return this->Spheres / this->Observed.Volume(); }
-  /** Of centres up to `distance` apart; periodic images count. In a window that of a cube of the
-   * same volume, up to its edge. */
+  /**
+   * The number of unordered pairs of centres up to `distance` apart. Where all axes are periodic,
+   * images count. Any other window is taken for a cube of the same volume, and the distance for its
+   * edge at most.
+   */
   double PairsWithin(double distance) const;
-  /** Spheres on a line of that length. */
+  /** The number of spheres that a line of that length meets. */
   double HitsOn(double length) const;
 };
 
-/** A pack spread over the ranks (SharePack), and its overlap. */
+/** What it takes to spread a pack over the ranks (SharePack) and to measure its overlap. */
 Estimate EstimatePack(const PackFigures& pack);
 }

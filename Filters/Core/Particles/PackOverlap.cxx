@@ -15,11 +15,11 @@ namespace ruc
 {
 namespace
 {
-// Spheres so close are looked at for PackOverlap::Deepest
+// Spheres closer than this many contacts are looked at for PackOverlap::Deepest
 constexpr double Near = 1.01;
 
-// Adds pairs of spheres up. A sphere shares less than its own volume with each of its neighbours;
-// in fixed point the sum is the same in whatever order the pairs come.
+// Adds pairs of spheres up. The sum is in fixed point, and so the same in whatever order the pairs
+// come. A sphere shares less than its own volume with each of its neighbours.
 struct OverlapSum
 {
   explicit OverlapSum(double totalVolume)

@@ -10,17 +10,25 @@
 
 namespace ruc
 {
-/** Overlap of a pack, images along periodic axes included. */
+/** The overlap of a pack, in which images along periodic axes count. */
 struct PackOverlap
 {
-  /** Total lens volume of all pairs / total volume of the spheres x 100. */
+  /**
+   * The lens volume of all pairs in percent of the volume of the spheres, V_o / V_p x 100 (section
+   * II of the paper).
+   */
   double Percent = 0.0;
-  std::int64_t Pairs = 0;
-  /** Largest (a + b - d) / (a + b) of all pairs; < 0 where nothing touches, -1 without neighbours.
+  std::int64_t Pairs = 0; // that overlap
+  /**
+   * The largest (a + b - d) / (a + b) of all pairs with radii a and b and centre distance d. It is
+   * < 0 where no two spheres overlap, and -1 where no pair is closer than 1.01 (a + b).
    */
   double Deepest = -1.0;
 
-  /** Every pair has d >= (a + b)(1 - 1e-12). */
+  /**
+   * Returns whether no two spheres overlap, but for rounding: every pair has d >= (a + b)(1 -
+   * 1e-12).
+   */
   bool IsNone() const { return this->Deepest <= 1e-12; }
 
   template <class Self>
@@ -32,6 +40,6 @@ struct PackOverlap
 
 PackOverlap MeasureOverlap(const SpherePack& pack, const Window& window);
 
-/** Collective: of a pack that is spread over ranks; the same on every rank. */
+/** Measures a pack that is spread over ranks. Collective; the result is the same on every rank. */
 PackOverlap MeasureOverlap(const PackShare& share, Communicator& ranks);
 }

@@ -17,7 +17,7 @@ namespace ruc
 {
 namespace
 {
-// Every sphere to the rank whose region holds its centre
+// Sends every sphere to the rank whose region holds its centre
 SpherePack ExchangeSpheres(SpherePack piece, std::int64_t total, Communicator& ranks)
 {
   const RegionTree regions(piece, total, ranks);
@@ -49,7 +49,8 @@ void FindTotals(PackShare& share, Communicator& ranks)
   ranks.Minimum(most, 2);
   share.LargestRadius = -most[0];
   const std::size_t modes = static_cast<std::size_t>(-most[1]);
-  // Sums of r^3 and r^2 in units of the largest, in fixed point: equal for any sharing
+  // Sums of r^3 and r^2 relative to the largest radius, in fixed point, so that they are equal for
+  // any sharing
   constexpr double scale = 0x1p50;
   struct Mode
   {
@@ -95,7 +96,7 @@ PackShare SharePack(CheckedPiece piece, Communicator& ranks)
   const bool withModes = piece.WithModes();
   share.Own = piece.Take();
 
-  // Equal centres meet on one rank
+  // After wrapping, equal centres lie in one region, and so on one rank
   share.Own.Id.clear();
   WrapIntoBox(share.Own, window);
   if (ranks.Size() > 1)

@@ -14,9 +14,9 @@ namespace ruc
 namespace
 {
 using Edges = std::array<int, 3>;
-// Spheres to be displaced by the same edges
+// Spheres, by the whole edges that they are to be displaced by
 using Halo = std::map<Edges, SpherePack>;
-// Slack for the rounding of a displacement: a pair at the very cut-off is not missed
+// Slack for the rounding of a displacement, so that a pair at exactly the cut-off is not missed
 constexpr double Slack = 1.0 + 1e-12;
 
 struct Bounds
@@ -43,7 +43,7 @@ struct HaloPart
   }
 };
 
-// Of the centres of every class on every rank
+// The bounds of the centres of every class on every rank
 std::vector<std::vector<Bounds>> FindBounds(
   const SpherePack& own, const SizeClasses& classes, Communicator& ranks)
 {
@@ -103,7 +103,7 @@ void ForEachImageNear(
   }
 }
 
-// The displacements that bring a sphere near to the centres of a rank, each once
+// The displacements by whole edges that bring a sphere near to the centres of a rank, each once
 std::vector<Edges> EdgesTo(const PackShare& share, std::size_t i, const std::vector<Bounds>& bounds,
   const SizeClasses& classes)
 {
@@ -125,7 +125,8 @@ std::vector<Edges> EdgesTo(const PackShare& share, std::size_t i, const std::vec
   return found;
 }
 
-// The spheres of this rank in whose surroundings a rank's centres lie, with the pairs that are its
+// The spheres of this rank that belong to the surroundings of another rank's centres, or of its own
+// by periodic images, for those pairs that are for that rank to meet
 Halo HaloOf(int rank, const PackShare& share, const std::vector<Bounds>& bounds,
   const SizeClasses& classes, int own)
 {
@@ -144,7 +145,7 @@ Halo HaloOf(int rank, const PackShare& share, const std::vector<Bounds>& bounds,
   return halo;
 }
 
-// What the other ranks, and this one along periodic axes, have around this rank's centres
+// Receives what the other ranks, and this one along periodic axes, have around this rank's centres
 Halo ExchangeHalos(const PackShare& share, const SizeClasses& classes, Communicator& ranks)
 {
   const std::vector<std::vector<Bounds>> bounds = FindBounds(share.Own, classes, ranks);

@@ -12,58 +12,63 @@
 namespace ruc
 {
 /**
- * This rank's share of a pack and its surroundings: all spheres, of other ranks and images along
- * periodic axes, that are close enough to the box of the share's own centres to matter: closer than
- * the reach of their classes of size (SizeClasses).
+ * This rank's share of a pack and its surroundings. These are all spheres, of other ranks and
+ * images along periodic axes, that are close enough to the box around the share's own centres to
+ * matter: closer than the reach of their classes of size (SizeClasses).
  *
  * Over the own centres of all ranks, every unordered pair of a centre and an image of a centre
- * closer than their reach is met exactly once: pairs of one rank by that rank, others by the lower
- * rank, or, where the image lies whole edges away, by the rank of the sphere at which those edges
- * are lexicographically positive. A displacement is (x_j - x_i) + shift, which changes its sign
- * exactly when i and j change places; hence what is summed from it in integers is the same for any
- * sharing.
+ * closer than their reach is met exactly once. A pair within one rank is met by that rank, a pair
+ * of two ranks by the lower one. Where the image lies whole edges away, the pair is met by the rank
+ * of the sphere from which these edges are lexicographically positive. A displacement is (x_j -
+ * x_i) + shift, which changes its sign exactly when i and j change places. Hence what is summed up
+ * from it in integers is the same for any sharing.
  */
 class PairNeighbourhood
 {
 public:
   /** Collective. */
   PairNeighbourhood(const PackShare& share, const SizeClasses& classes, Communicator& ranks);
-  /** Collective; with one reach for all pairs, `cutoff` > 0. */
+  /** Collective. All pairs have one reach, `cutoff` > 0. */
   PairNeighbourhood(const PackShare& share, double cutoff, Communicator& ranks);
 
-  /** Spheres that share a displacement by whole edges; the first part is the own. */
+  /**
+   * Spheres that are displaced by the same whole edges, Shift. The first part holds the share's own
+   * spheres.
+   */
   struct Part
   {
     SpherePack Pack;
-    CellList Cells; // of Pack
+    CellList Cells; // the centres of Pack, as if no axis were periodic
     Vector3 Shift;
   };
   std::vector<Part> Parts;
 
   const CellList& Own() const { return this->Parts.front().Cells; }
-  /** Centres to begin with: places in Own(). */
+  /** The number of own centres, which are the places in Own(). */
   std::size_t Size() const { return this->Own().Size(); }
   /** No pair is farther apart than this. */
   double LargestReach() const { return this->Classes.LargestReach(); }
 
-  /** Sorted places [Begin, End) of the cells of a part, and how close they have to be. */
+  /** The sorted places [Begin, End) of the cells of a part, and how close they have to be. */
   struct Range
   {
     std::size_t Part, Begin, End;
     double Reach;
   };
 
-  /** The ranges that the own centre at place i has to be paired with; they also hold centres beyond
-   * the reach. */
+  /**
+   * Replaces `ranges` by those that the own centre at place i has to be paired with. They also hold
+   * centres beyond the reach.
+   */
   void FindRanges(std::size_t i, std::vector<Range>& ranges) const;
 
-  /** No centre meets more than this many others. */
+  /** An upper bound of how many others any centre meets. */
   std::int64_t MostNeighbours() const;
 
   /**
    * Calls visit(i, part, j, dx, dy, dz, d2) for every pair of the own centres at places [begin,
-   * end) that is closer than their reach: i the sphere in Parts[0].Pack, j that in part.Pack, and
-   * the displacement from i to j with its square.
+   * end) that is closer than its reach. i is the place of the sphere in Parts[0].Pack and j that in
+   * part.Pack; (dx, dy, dz) is the displacement from i to j and d2 its squared length.
    */
   template <class Visit>
   void ForEachPair(std::size_t begin, std::size_t end, Visit&& visit) const

@@ -18,7 +18,7 @@ namespace
 // Diameters closer than this, relatively, are one size
 constexpr double SameSize = 1e-9;
 
-// Of all ranks: the least and greatest diameter
+// The least and greatest diameter on all ranks
 struct Extremes
 {
   double Least, Greatest;
@@ -76,7 +76,7 @@ std::vector<double> EqualVolumeEdges(const std::vector<double>& own, int modes, 
 
 std::vector<double> GivenEdges(const Extremes& all, const std::vector<double>& edges)
 {
-  // written so that an edge that is no number fails
+  // Written so that an edge that is no number fails
   const bool ascending = std::adjacent_find(edges.begin(), edges.end(),
                            [](double a, double b) { return !(a < b); }) == edges.end();
   if (edges.size() < 2 || !ascending || !(edges.front() >= 0.0) || !std::isfinite(edges.back()))
@@ -150,12 +150,12 @@ std::vector<double> FindEdges(const std::vector<double>& diameters, const Extrem
   return SizeEdges(diameters, all, ranks);
 }
 
-// The modes between the edges, of which those without spheres are left out
+// Summarises the modes between the edges, and leaves out those without spheres
 std::vector<ModeSummary> Summarise(const std::vector<double>& diameters,
   const std::vector<double>& edges, double greatest, Communicator& ranks)
 {
-  // Of every mode: count, and sum of d^3 in units of the greatest in fixed point; the least and
-  // minus the greatest diameter
+  // For every mode three integers, its count and the sum of (d / greatest)^3 in fixed point, and
+  // two numbers, its least diameter and minus its greatest
   constexpr double scale = 0x1p50;
   const std::size_t modes = edges.size() + 1;
   std::vector<std::int64_t> sums(3 * modes, 0);

@@ -9,24 +9,31 @@
 
 namespace ruc
 {
+/** How spheres are divided into modes. */
 enum class ModeMethod
 {
   EqualWidth,    // modes of equal width in diameter, from the smallest to the largest
   EqualVolume,   // modes that hold about equal volumes of spheres
   ExplicitEdges, // modes between the given diameters
-  OnePerSize     // one mode for every diameter that occurs
+  OnePerSize     // one mode for every diameter that occurs, to 1e-9 of it
 };
 
 struct ModeSettings
 {
   ModeMethod Method = ModeMethod::EqualWidth;
-  int NumberOfModes = 9;        // for EqualWidth and EqualVolume, 1 to MostModes
-  std::vector<double> Edges;    // for ExplicitEdges: ascending diameters > 0, two at the least
-  double MinimumDiameter = 0.0; // smaller spheres belong to no mode and are left out
+  /** From 1 to MostModes, for EqualWidth and EqualVolume. */
+  int NumberOfModes = 9;
+  /** From 2 to MostModes + 1 ascending diameters >= 0, for ExplicitEdges. Every diameter must lie
+   * between the first and the last. A mode holds its lower edge. */
+  std::vector<double> Edges;
+  /** Smaller spheres belong to no mode and are left out. >= 0. */
+  double MinimumDiameter = 0.0;
 };
 
-/** The statistics hold N (N + 1) / 2 functions for N phases; more modes than this ask for too much
- * memory. */
+/**
+ * The statistics hold N (N + 1) / 2 functions for N phases, so more modes than this would take too
+ * much memory.
+ */
 constexpr int MostModes = 256;
 
 /** The spheres of one mode. */
@@ -38,31 +45,37 @@ struct ModeSummary
   double Volume = 0.0;             // of the spheres
 };
 
-/** Classes of particle sizes. */
+/** The modes of a pack, which are classes of size. */
 class ParticleModes
 {
 public:
   /**
-   * Collective: finds the modes of a pack with these diameters, of which every rank has some or
-   * none. Modes that would be empty are left out and the others numbered through. The same on every
-   * rank, bit by bit, for any sharing; of single spheres a rank learns nothing, save for
-   * EqualVolume, which takes the diameters of all on every rank. Throws std::invalid_argument, on
-   * all ranks, for settings out of range and for diameters that the explicit edges leave out.
+   * Finds the modes of a pack with these diameters, of which every rank has some or none. Modes
+   * that would be empty are left out, and the others are numbered without a gap. The modes are the
+   * same on every rank, bit by bit, for any sharing. No rank learns of the single spheres of
+   * another, save for EqualVolume, which gathers the diameters of all on every rank. Collective.
+   *
+   * Throws std::invalid_argument, on all ranks, for settings out of range, for diameters that the
+   * explicit edges leave out, for a minimum diameter that leaves no sphere, and for more than
+   * MostModes sizes with OnePerSize.
    */
   ParticleModes(std::vector<double> diameters, const ModeSettings& settings, Communicator& ranks);
-  /** For one rank that has all. */
+  /** The same for one rank that has all diameters. */
   ParticleModes(std::vector<double> diameters, const ModeSettings& settings);
 
   int NumberOfModes() const { return static_cast<int>(this->Summaries.size()); }
 
-  /** The mode, 1 to NumberOfModes(), of one of these diameters, or 0 for one below the minimum. */
+  /**
+   * Returns the mode, 1 to NumberOfModes(), of one of these diameters, or 0 for one below the
+   * minimum.
+   */
   int ModeOf(double diameter) const;
 
   const ModeSummary& Summary(int mode) const { return this->Summaries[mode - 1]; }
 
 private:
   double MinimumDiameter;
-  std::vector<double> LowerEdges; // of modes 2, 3, …
+  std::vector<double> LowerEdges; // the least diameters of the modes 2, 3, …
   std::vector<ModeSummary> Summaries;
 };
 }

@@ -34,7 +34,7 @@ std::vector<Replica> BoundaryCopies(const SpherePack& pack, const Window& box)
   }
   for (std::size_t i = 0; i < pack.Size(); ++i)
   {
-    // An edge exceeds the diameter, so no image further away than the next can reach into the box.
+    // An edge exceeds the diameter, so only the nearest images can reach into the box
     const auto last = [&](int q) { return box.Periodic[q] ? 1 : 0; };
     for (int z = -last(2); z <= last(2); ++z)
     {

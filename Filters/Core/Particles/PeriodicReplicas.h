@@ -17,25 +17,28 @@ struct Replica
 };
 
 /**
- * The spheres of a periodic pack and those of their images that reach into the box: two spheres in
- * all of one that crosses a face, four of one that an edge of the box passes through, eight of one
- * with a corner of the box inside (three or seven where it crosses the faces beside an edge or
- * corner but does not hold that). A sphere that only touches a face has no copy. `pack` wrapped
- * into the box; originals come first, with Image 0.
+ * Returns the spheres of a periodic pack and those of their images that reach into the box. Each
+ * face of the box that a sphere crosses, each edge that passes through it and each corner inside it
+ * gives one copy: a sphere on a face appears twice in all, one on an edge four times, one in a
+ * corner eight times. A sphere that only touches a face has no copy. `pack` must be wrapped into
+ * the box. Originals come first, with Image 0.
  */
 std::vector<Replica> BoundaryCopies(const SpherePack& pack, const Window& box);
 
-/** The whole pack repeated tiles[0] x tiles[1] x tiles[2] times; tile (0, 0, 0), the original,
- * comes first. */
+/**
+ * Returns the pack repeated tiles[0] x tiles[1] x tiles[2] times. Tile (0, 0, 0), the original,
+ * comes first.
+ */
 std::vector<Replica> Tiling(const SpherePack& pack, const std::array<int, 3>& tiles);
 
-/** The centre of a replica. */
+/** Returns the centre of a replica. */
 Vector3 CentreOf(const Replica& replica, const SpherePack& pack, const Window& box);
 
 /**
- * Which spheres are mere periodic copies of another: outside the half-open box along a periodic
- * axis, with a sphere of the same radius inside at the same place, one or more edges away (to 1e-5
- * of an edge, as text has few digits).
+ * Returns which spheres are mere periodic copies of another. Such a sphere lies outside the
+ * half-open box along a periodic axis, and there is a sphere of the same radius inside at the same
+ * place but for whole edges. As text has few digits, places may differ by 1e-5 of the longest edge
+ * and radii by 1e-5.
  */
 std::vector<bool> FindPeriodicCopies(const SpherePack& pack, const Window& box);
 }

@@ -10,9 +10,9 @@
 namespace ruc
 {
 /**
- * Divides space into one region a rank, with about as many spheres in each: recursive bisection
- * across the longest extent, from a sample of the centres (some 65 000 of all), so no rank sees
- * more of the pack than that.
+ * Divides space into one region for each rank, with about as many spheres in each, by recursive
+ * bisection across the longest extent. It goes by a sample of the centres (some 65 000 in all), so
+ * that no rank sees more of the pack than that.
  */
 class RegionTree
 {
@@ -20,7 +20,7 @@ public:
   /** Collective. `piece` is this rank's part of a pack of `total` spheres. */
   RegionTree(const SpherePack& piece, std::int64_t total, Communicator& ranks);
 
-  /** The rank to whose region a point belongs; the same on every rank. */
+  /** Returns the rank to whose region a point belongs. It is the same on every rank. */
   int OwnerOf(const Vector3& point) const;
 
 private:
@@ -28,8 +28,9 @@ private:
   {
     int Axis;
     double Cut;       // points below it belong to the lower child
-    int Lower, Upper; // nodes, or -1 - rank
+    int Lower, Upper; // children: nodes, or -1 - rank
   };
+  // Divides the points among the ranks first to last - 1; returns the node, or -1 - rank
   int Divide(
     std::vector<Vector3>::iterator begin, std::vector<Vector3>::iterator end, int first, int last);
 

@@ -9,17 +9,18 @@ namespace ruc
 {
 namespace
 {
-// Spheres smaller than 2^-24 of the largest need no finer classes: they are points beside it
+// Spheres smaller than 2^-24 of the largest are points beside it and need no finer classes
 constexpr int MostOctaves = 24;
 
-// Octaves [First, Last) of radius from the largest down, with so many spheres
+// The octaves [First, Last) of radius, counted from the largest down, and how many spheres they
+// hold
 struct Span
 {
   int First, Last;
   double Spheres;
 };
 
-// Proportional to the pairs that are looked at, of spheres spread evenly
+// A number proportional to the pairs that a search would look at, for spheres spread evenly
 double PairsOf(const std::vector<Span>& classes, double distance, double largest)
 {
   double pairs = 0.0;
@@ -79,7 +80,7 @@ SizeClasses::SizeClasses(
       classes.push_back({ octave, octave + 1, static_cast<double>(spheres[octave]) });
     }
   }
-  // The cheapest merger first, as long as it costs little
+  // The cheapest merger comes first, as long as it costs little
   constexpr double worth = 1.25;
   const double scaled = factor * this->LargestRadius;
   while (classes.size() > 1)

@@ -10,10 +10,10 @@
 namespace ruc
 {
 /**
- * Which pairs of spheres a search has to find, by classes of size: two spheres of the classes c and
- * d matter up to a centre distance Reach(c, d) = distance + factor (a + b), a and b the largest
- * radii of the classes. One reach for all would let a single large sphere make every pair of small
- * ones dear.
+ * Which pairs of spheres a search has to find, by classes of size. Two spheres of the classes c and
+ * d matter up to a centre distance Reach(c, d) = distance + factor (a + b), where a and b are upper
+ * bounds of the radii in the classes. With one reach for all, a single large sphere would make
+ * every pair of small ones costly.
  *
  * A class holds one or more octaves of radius. Neighbouring octaves stay together where dividing
  * them would save less than a fifth of the pairs, so that spheres of similar sizes are one class.
@@ -21,12 +21,12 @@ namespace ruc
 class SizeClasses
 {
 public:
-  /** One class, and one reach for all pairs, whatever the radii. */
+  /** Makes one class, with one reach for all pairs, whatever the radii. */
   explicit SizeClasses(double reach);
 
   /**
-   * Collective: of the spheres of all ranks, of which this one has those with the given `radii` >
-   * 0. The same on every rank. `distance` >= 0, `factor` >= 0.
+   * Makes the classes of the spheres of all ranks, of which this rank has those with the given
+   * `radii` > 0. They are the same on every rank. `distance` >= 0, `factor` >= 0. Collective.
    */
   SizeClasses(
     const std::vector<double>& radii, double distance, double factor, Communicator& ranks);
@@ -36,7 +36,7 @@ public:
 
   int Count() const { return static_cast<int>(this->Largest.size()); }
 
-  /** The class of a radius; 0 holds the largest spheres. */
+  /** Returns the class of a radius. Class 0 holds the largest spheres. */
   int ClassOf(double radius) const;
 
   double Reach(int c, int d) const
@@ -51,6 +51,6 @@ private:
   double LargestRadius = 0.0;
   double Distance;
   std::vector<int> ClassOfOctave;
-  std::vector<double> Largest; // factor times the largest radius of a class
+  std::vector<double> Largest; // for every class factor times an upper bound of its radii
 };
 }

@@ -20,7 +20,7 @@ double LensVolumeSlope(double a, double b, double t)
   {
     return 0.0;
   }
-  // minus the area of the disc that the two surfaces share
+  // Minus the area of the disc that the two surfaces share
   return -Pi * (s - t) * (t - q) * (t + q) * (s + t) / (4.0 * t * t);
 }
 }
@@ -57,8 +57,8 @@ double OverlapMomentSlope(double a, double b, double t)
 
 AveragedOverlap OrientationAveragedOverlap(double a, double b, double r, double d)
 {
-  // Closer than this to a removable singularity the quotients lose more digits than the limits' own
-  // error.
+  // Closer than this to a removable singularity the quotients lose more digits than the error of
+  // the limits
   const double tiny = 1e-5 * std::min(a, b);
   if (std::abs(d) < tiny)
   {

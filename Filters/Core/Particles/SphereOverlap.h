@@ -31,13 +31,13 @@ namespace ruc
 /** Volume of a sphere. */
 double SphereVolume(double radius);
 
-/** V_ab(t): volume shared by two spheres of radii a, b > 0 with centres t >= 0 apart. */
+/** V_ab(t): the volume shared by two spheres of radii a, b > 0 whose centres are t >= 0 apart. */
 double LensVolume(double a, double b, double t);
 
-/** h_ab(t) as defined above; even in t. */
+/** h_ab(t) as defined above; it is even in t. */
 double OverlapMoment(double a, double b, double t);
 
-/** dh_ab/dt = -t V_ab(|t|); odd in t. */
+/** dh_ab/dt = -t V_ab(|t|); it is odd in t. */
 double OverlapMomentSlope(double a, double b, double t);
 
 /** g_ab(r; d) and its derivative with respect to the distance d. */
@@ -48,15 +48,15 @@ struct AveragedOverlap
 };
 
 /**
- * g_ab and dg_ab/dd for lag r >= 0 and centre distance d; even in d, with the limits r = 0 and
- * d = 0 taken exactly.
+ * Returns g_ab and dg_ab/dd for lag r >= 0 and centre distance d. g_ab is even in d, and the limits
+ * r = 0 and d = 0 are taken exactly.
  */
 AveragedOverlap OrientationAveragedOverlap(double a, double b, double r, double d);
 
 /**
- * 12 / pi V_ab(t) without branches, for loops that are to become vector loops: t is moved into
- * [|a - b|, a + b], outside of which the volume is constant. It may differ from LensVolume in the
- * last digits.
+ * 12 / pi V_ab(t) without branches, for loops that are to become vector loops. t is moved into [|a
+ * - b|, a + b], outside of which the volume is constant. The last digits may differ from
+ * LensVolume.
  */
 class LensFormula
 {
@@ -80,7 +80,7 @@ private:
   double Inside, Product;
 };
 
-/** 12 / pi h_ab(t), t >= 0, likewise without branches. */
+/** 12 / pi h_ab(t) for t >= 0, without branches as well. */
 class MomentFormula
 {
 public:

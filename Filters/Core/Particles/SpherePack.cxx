@@ -117,8 +117,8 @@ std::string FindFaultySphere(const SpherePack& pack, bool withModes, std::int64_
       return Text("Points require coordinates of at most ", GreatestLength, ", got ", At(pack, i),
         "; try another unit.");
     }
-    // More modes than spheres cannot be without a gap; this also keeps a wild value from sizing the
-    // table of modes
+    // More modes than spheres cannot be without a gap. The check also keeps a wild value from
+    // sizing the table of modes.
     if (withModes && (pack.Mode[i] < 1 || pack.Mode[i] > total))
     {
       return Text("Array 'Mode' requires the values 1 to the number of modes without a gap, got ",

@@ -11,7 +11,7 @@ namespace ruc
 {
 namespace
 {
-// The vector with product 1 with a, 0 with b and c
+// The vector whose product is 1 with a, and 0 with b and c
 Vector3 Dual(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Vector3 across = Cross(b, c);
@@ -19,8 +19,9 @@ Vector3 Dual(const Vector3& a, const Vector3& b, const Vector3& c)
   return { across[0] / product, across[1] / product, across[2] / product };
 }
 
-// Whole numbers from and to, so that rounding of the middle loses none. (std::ceil and std::floor
-// are calls where the processor is not known to have instructions for them.)
+// The whole numbers from middle - width to middle + width, with some slack, so that rounding loses
+// none. (std::ceil and std::floor are function calls where the compiler cannot count on
+// instructions for them.)
 struct Range
 {
   Range(double middle, double width)
@@ -89,7 +90,7 @@ void LineBundle::FindHits(const SpherePack& pack, std::vector<std::vector<Sphere
 {
   if (!this->Closed)
   {
-    // Lines stay in the box: an edge exceeds the diameter, so only the next images reach in
+    // Lines stay in the box. An edge exceeds the diameter, so only the nearest images reach in.
     const int lastX = this->Box.Periodic[0], lastY = this->Box.Periodic[1],
               lastZ = this->Box.Periodic[2];
     for (int x = -lastX; x <= lastX; ++x)
@@ -107,9 +108,9 @@ void LineBundle::FindHits(const SpherePack& pack, std::vector<std::vector<Sphere
     }
     return;
   }
-  // Images along the axis that the lattice does not span, as far as the lines go. The place along a
-  // line where it is nearest to a centre no further away than the radius differs from the centre's
-  // own by WidthT x radius at most.
+  // Only images along the axis that the lattice does not span are needed, as far as the lines go.
+  // Where a line is nearest to a centre, no farther away than the radius, its position differs from
+  // that of the centre by WidthT x radius at most.
   int across = 0;
   for (int q = 1; q < 3; ++q)
   {
@@ -147,7 +148,7 @@ void LineBundle::FindHitsOf(const SpherePack& pack, std::size_t sphere,
   {
     for (std::int64_t j = columns.First; j <= columns.Last; ++j)
     {
-      // A place beyond a closed lattice is one in it, met by another image
+      // A place beyond a closed lattice is a place in it, which another image meets
       const std::int64_t overI = this->Closed ? FloorDivided(i, this->Count[0]) : 0;
       const std::int64_t overJ = this->Closed ? FloorDivided(j, this->Count[1]) : 0;
       const std::int64_t row = i - overI * this->Count[0] - this->First[0];

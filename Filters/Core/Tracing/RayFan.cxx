@@ -24,7 +24,7 @@ RayFan RayFan::Random(const SamplingRegion& region, std::uint32_t seed, std::uin
   fan.Centre = region.RandomPoint(seed, sample);
   const Vector3 n = SamplingRegion::RandomDirection(seed, sample);
   const double turn = 2.0 * Pi * SamplingRegion::RandomTurn(seed, sample);
-  // Two directions across n, by the axis z is far from or near to
+  // Two directions across n, the first also across z, or across x where n is near z
   const Vector3 a =
     std::abs(n[2]) < 0.7 ? Vector3{ n[1], -n[0], 0.0 } : Vector3{ 0.0, n[2], -n[1] };
   const double norm = 1.0 / std::hypot(a[0], a[1], a[2]);
@@ -77,7 +77,7 @@ void FanTracer::FindHits(const RayFan& fan, std::vector<RayHit>& hits) const
   {
     return;
   }
-  // Images of the box, moved by a whole number of edges, that spheres met by the rays may lie in
+  // The images of the box, by whole edges, in which spheres that the rays meet may lie
   const double reach = this->Length + this->LargestRadius;
   std::array<int, 3> first{}, last{};
   for (int q = 0; q < 3; ++q)
@@ -123,7 +123,7 @@ void FanTracer::FindHitsOfImage(
         }
         const std::uint32_t sphere = this->Cells.Index[place];
         const double radius = this->Pack.Radius[sphere];
-        // The circle in the plane of the rays
+        // The sphere cuts the plane of the rays in a circle
         const double circle2 = radius * radius - height * height;
         const double alongU = x * u[0] + y * u[1] + z * u[2];
         const double alongV = x * v[0] + y * v[1] + z * v[2];

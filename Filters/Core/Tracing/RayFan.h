@@ -12,21 +12,25 @@
 namespace ruc
 {
 /**
- * A throw of the paper's template (Fig. 4): a point and rays from it, evenly around a great circle.
- * Ray i of M runs along cos(2 pi i / M) U + sin(2 pi i / M) V.
+ * A throw of the paper's template (Fig. 4): a point and rays from it, spaced evenly around a great
+ * circle. Ray i of M runs along cos(2 pi i / M) U + sin(2 pi i / M) V.
  */
 struct RayFan
 {
   Vector3 Centre;
   Vector3 U, V, Normal; // orthonormal
 
-  /** A centre uniform in the region and an isotropic orientation, from (seed, sample) alone. */
+  /**
+   * Draws a centre uniform in the region and an isotropic orientation, which depend on (seed,
+   * sample) alone.
+   */
   static RayFan Random(const SamplingRegion& region, std::uint32_t seed, std::uint32_t sample);
 };
 
-/** The directions of all rays in the plane: of U and V. */
+/** The directions of all rays of a fan, as factors of U and V. */
 struct RayDirections
 {
+  /** `number` rays around the circle. */
   explicit RayDirections(int number);
 
   int Size() const { return static_cast<int>(this->Cosine.size()); }
@@ -47,14 +51,15 @@ class FanTracer
 {
 public:
   /**
-   * `pack`, with modes, may be empty; along the periodic axes of `box` it is wrapped (WrapIntoBox),
-   * and images are spheres of their own. Rays have the given length > 0, however long.
+   * `pack`, with modes, may be empty. Along the periodic axes of `box` it must be wrapped
+   * (WrapIntoBox), and images are spheres of their own. Rays have the given length > 0, which may
+   * exceed the box. `pack` and `rays` are kept as references.
    */
   FanTracer(const SpherePack& pack, const Window& box, const RayDirections& rays, double length);
 
   /**
-   * Appends every sphere that has a common stretch with a ray, in no particular order. In and Out
-   * are those of the whole sphere and depend on sphere and ray alone, bit by bit. May run
+   * Appends every sphere that shares a stretch with a ray, in no particular order. In and Out are
+   * those of the whole sphere, and depend on sphere and ray alone, bit by bit. May run
    * concurrently.
    */
   void FindHits(const RayFan& fan, std::vector<RayHit>& hits) const;
@@ -67,6 +72,6 @@ private:
   const RayDirections& Rays;
   double Length;
   double LargestRadius;
-  CellList Cells; // not periodic
+  CellList Cells; // without periodic axes
 };
 }

@@ -12,7 +12,8 @@ namespace ruc
 {
 namespace
 {
-// Of the bounds; below that attempts to meet the region by chance become long
+// A region that fills less of its bounds is sparse: finding it by chance would take too many
+// attempts
 constexpr double SparseShare = 1e-3;
 
 std::uint64_t Attempt(std::uint32_t sample, std::uint64_t attempt)
@@ -27,7 +28,8 @@ Vector3 IsotropicDirection(double u, double v)
   return { lateral * std::cos(2.0 * Pi * v), lateral * std::sin(2.0 * Pi * v), z };
 }
 
-// Two directions across d of the same length; the first from the axis that is furthest from along d
+// Two directions across d, of the same length. The first is also across the axis that is farthest
+// from d.
 void FindAcross(const Vector3& d, Vector3& a, Vector3& b)
 {
   const double x = std::abs(d[0]), y = std::abs(d[1]), z = std::abs(d[2]);
@@ -37,7 +39,7 @@ void FindAcross(const Vector3& d, Vector3& a, Vector3& b)
   b = { d[1] * a[2] - d[2] * a[1], d[2] * a[0] - d[0] * a[2], d[0] * a[1] - d[1] * a[0] };
 }
 
-// Narrows [begin, end] to the t with low <= position + t slope <= high
+// Narrows [begin, end] to the t for which low <= position + t slope <= high
 void ClipToSlab(double position, double slope, double low, double high, double& begin, double& end)
 {
   if (slope == 0.0)
@@ -204,7 +206,7 @@ LineBundle SamplingRegion::ParallelLinesAlong(const Vector3& direction, std::uin
     axisJ[q] = c * b[q] - s * a[q];
     origin[q] = this->Centre[q] - this->Radius * d[q] + v[0] * axisI[q] + v[1] * axisJ[q];
   }
-  // Across the lines the region lies in the disc of the bounding sphere
+  // Seen along the lines, the region lies in the disc of the bounding sphere
   const double reach = this->Radius / spacing;
   const int last = static_cast<int>(reach) + 1;
   LineBundle bundle(this->Bounds, direction, origin, axisI, axisJ, { -last, -last },
@@ -227,8 +229,8 @@ LineBundle SamplingRegion::ParallelLinesAlong(const Vector3& direction, std::uin
   return bundle;
 }
 
-// The plane is that of the face that is best across the lines, moved to any place; the lattice
-// closes over the periodic edges.
+// The lines begin in a plane parallel to the face that is most nearly across them, at a random
+// place; the lattice closes over the periodic edges.
 LineBundle SamplingRegion::PeriodicLines(const Vector3& direction,
   const std::array<double, 3>& shift, double number, double maximumLag) const
 {
@@ -268,7 +270,7 @@ double SamplingRegion::LongestLine(double maximumLag) const
     : 2.0 * this->Radius;
 }
 
-// A quarter of the surface (Cauchy)
+// By Cauchy's formula it is a quarter of the surface area
 double SamplingRegion::ProjectedArea() const
 {
   const Window& shape = this->Shape;
@@ -285,7 +287,7 @@ double SamplingRegion::GridSpacing(double number) const
 
 double SamplingRegion::LinesOfSpacing(double spacing) const
 {
-  // Periodic lines begin in a face, which is two thirds of that in the mean
+  // Periodic lines begin in a face, whose area is two thirds of the projected area in the mean
   return this->ProjectedArea() / (spacing * spacing) * (this->IsFullyPeriodic() ? 2.0 / 3.0 : 1.0);
 }
 
@@ -293,7 +295,7 @@ double SamplingRegion::MostLines(double number) const
 {
   if (this->IsFullyPeriodic())
   {
-    // Rows and columns are rounded; with more rows than lines asked for there is one column
+    // Rows and columns are rounded. With more rows than lines asked for there is one column.
     const Vector3& size = this->Bounds.Size;
     const auto [least, greatest] = std::minmax_element(size.begin(), size.end());
     return 2.0 * number + 2.0 * std::sqrt(number * *greatest / *least) + 2.0;
@@ -326,7 +328,7 @@ void SamplingRegion::Clip(const Vector3& start, const Vector3& direction, double
     const double position = Dot(from, this->Shape.Axis);
     const double slope = Dot(direction, this->Shape.Axis);
     ClipToSlab(position, slope, 0.0, this->Shape.Height, begin, end);
-    // Across the axis: |p + t w| <= radius
+    // Across the axis the condition is |p + t w| <= radius
     Vector3 p, w;
     for (int q = 0; q < 3; ++q)
     {

@@ -11,7 +11,7 @@ namespace ruc
 {
 namespace
 {
-// Per sphere: so many places in cells (4 bytes each), and so many cells (4 bytes each)
+// The most places in cells, and the most cells, for each sphere; both take 4 bytes
 constexpr double MostPlaces = 8.0, MostCells = 2.0;
 }
 
@@ -21,7 +21,7 @@ SphereGrid::SphereGrid(const SpherePack& pack, const Window& box)
 {
   const Vector3 upper = { box.Origin[0] + box.Size[0], box.Origin[1] + box.Size[1],
     box.Origin[2] + box.Size[2] };
-  // An edge exceeds the diameter, so no image further away than the next can reach into the box.
+  // An edge exceeds the diameter, so only the nearest images can reach into the box
   const int lastX = box.Periodic[0], lastY = box.Periodic[1], lastZ = box.Periodic[2];
   for (std::size_t i = 0; i < pack.Size(); ++i)
   {
@@ -57,7 +57,7 @@ SphereGrid::SphereGrid(const SpherePack& pack, const Window& box)
     place = sum;
   }
   this->Places.resize(sum);
-  // Filled from the end, after which places[cell] is the first of its cell
+  // Cells are filled from their ends, after which places[cell] is where the cell begins
   for (std::size_t n = this->Copies.size(); n-- > 0;)
   {
     this->ForEachCellOf(this->Copies[n],
@@ -85,8 +85,8 @@ bool SphereGrid::ReachesInto(const Copy& copy, const Vector3& lower, const Vecto
   return distance2 < radius * radius;
 }
 
-// The finest grid of about cubic cells that the memory allows. A sphere of radius a reaches into 1
-// + 6 (a/h) + 3 pi (a/h)^2 + 4/3 pi (a/h)^3 cells of edge h in the mean (Steiner's formula).
+// Chooses the finest grid of about cubic cells that the memory allows. A sphere of radius a reaches
+// into 1 + 6 (a/h) + 3 pi (a/h)^2 + 4/3 pi (a/h)^3 cells of edge h in the mean (Steiner's formula).
 void SphereGrid::ChooseCells()
 {
   double sum[4] = { 0.0, 0.0, 0.0, 0.0 };
