@@ -9,32 +9,34 @@
 
 namespace ruc
 {
-/** What a medium holds of every mode. */
+/** How much of every mode a medium holds. */
 struct ModeAmounts
 {
-  std::vector<double> Number; // of spheres per unit volume
+  std::vector<double> Number; // spheres per unit volume
   std::vector<double> Radius; // half the volume mean diameter d_i = (sum d^3 / N_i)^(1/3)
 
-  /** Of a pack in its window. */
+  /** The amounts of a pack in its window. */
   ModeAmounts(const PackTotals& pack);
   /**
-   * Of volume fractions and diameters. Throws std::invalid_argument unless there are as many of
-   * both (at least one of each), fractions are > 0 and add up to less than 1, and diameters are >
-   * 0.
+   * The amounts for given volume fractions and diameters. Throws std::invalid_argument unless there
+   * are as many fractions as diameters (at least one), fractions are > 0 and add up to less than 1,
+   * and diameters are finite and > 0.
    */
   ModeAmounts(const std::vector<double>& fractions, const std::vector<double>& diameters);
 
   int NumberOfModes() const { return static_cast<int>(this->Number.size()); }
-  /** c_i. */
+  /** The volume fraction c_i of a mode, counted from 0. */
   double Fraction(int mode) const;
-  /** (sum of n_i d_i^3 / sum of n_i)^(1/3) over the modes. */
+  /**
+   * The volume mean diameter of all spheres: (sum of n_i d_i^3 / sum of n_i)^(1/3) over the modes.
+   */
   double MeanDiameter() const;
 };
 
 /** What a cubic periodic cell is filled with, and its size. */
 struct CellContents
 {
-  std::vector<int> Count;     // n_i of every mode
+  std::vector<int> Count;     // n_i, the spheres of every mode
   std::vector<double> Radius; // r_i, half the volume mean diameter of the pack's mode
   double Edge = 0.0;          // h_c, equation (12)
 
@@ -45,8 +47,10 @@ struct CellContents
 
   /** The periodic cube from 0 to the edge. */
   Window MakeBox() const;
-  /** The spheres in the order of the modes, first all of mode 1, with these centres (x, y, z of
-   * each, anywhere in space) wrapped into the box. */
+  /**
+   * Returns the spheres in the order of the modes, first all of mode 1. `centres` holds x, y, z of
+   * each, anywhere in space; they are wrapped into the box.
+   */
   SpherePack MakePack(const double* centres) const;
 
   template <class Self>
@@ -57,17 +61,19 @@ struct CellContents
 };
 
 /**
- * The contents of the cell for a first guess h_0 of its edge: n_i = nearest whole number of the
- * spheres of a mode in h_0^3, all of the mode's volume mean diameter, and the edge h_c that
- * minimises F1 (11), the distance between the volume fractions of pack and cell.
+ * Returns the contents of the cell for a first guess h_0 of its edge. n_i is the nearest whole
+ * number of spheres of mode i in h_0^3, all with the mode's volume mean diameter, and the edge is
+ * h_c, which minimises F1 (11), the distance between the volume fractions of pack and cell.
  *
  * Throws std::invalid_argument when a mode would have no sphere in the cell, or when h_c leaves no
- * room for the largest.
+ * room for the largest sphere.
  */
 CellContents FindCellContents(const ModeAmounts& amounts, double edge);
 
-/** The same for a cell of `spheres` spheres in all; where rounding makes that number impossible, of
- * the next one above. */
+/**
+ * The same for a cell of `spheres` spheres in all, or, where rounding makes that number impossible,
+ * of the next possible number above.
+ */
 CellContents FindCellContents(const ModeAmounts& amounts, int spheres);
 
 /** The same for given numbers of spheres of every mode. */

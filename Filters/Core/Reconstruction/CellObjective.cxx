@@ -14,7 +14,7 @@ namespace ruc
 {
 namespace
 {
-// Few centres a chunk, so that ranks and threads get equal shares of a small cell
+// Chunks are small, so that ranks and threads get equal shares of a small cell
 constexpr std::size_t ChunkOfCentres = 8;
 
 std::vector<SphereType> CellTypes(const CellContents& contents)
@@ -27,8 +27,8 @@ std::vector<SphereType> CellTypes(const CellContents& contents)
   return types;
 }
 
-// Runs pass(begin, end, sums) over this rank's chunks of centres on all threads, and adds `sums` up
-// over threads
+// Runs pass(begin, end, sums) over this rank's chunks of centres on all threads, and adds the sums
+// of all threads up
 template <class Pass>
 void OverChunks(
   const Communicator& ranks, std::size_t centres, std::vector<std::int64_t>& sums, Pass&& pass)
@@ -37,7 +37,7 @@ void OverChunks(
     static_cast<std::int64_t>((centres + ChunkOfCentres - 1) / ChunkOfCentres);
 #pragma omp parallel
   {
-    // A thread by itself adds to the sums at once
+    // A thread by itself adds to the sums directly
     const bool alone = omp_get_num_threads() == 1;
     std::vector<std::int64_t> own(alone ? 0 : sums.size(), 0);
     std::int64_t* target = alone ? sums.data() : own.data();
@@ -134,7 +134,8 @@ double EstimateEvaluation(const CellFigures& cell, const LagGrid& lags, bool wit
   const double pairs =
     0.5 * cell.Spheres * cell.Density * SphereVolume(lags.Maximum() + 2.0 * cell.LargestRadius);
   const double classes = 0.5 * cell.Modes * (cell.Modes + 1.0);
-  // From the histogram of a pair of modes to S_rs, on fewer knots than those of an exact sum
+  // What it takes to get from the histogram of a pair of modes to S_rs, on fewer knots than those
+  // of an exact sum
   constexpr double SecondsPerClassAndLag = 5e-8;
   return (pairs * SecondsPerHistogramPair + classes * lags.Count * SecondsPerClassAndLag) *
     (withGradient ? 2.0 : 1.0);

@@ -20,22 +20,25 @@ namespace ruc
  * (OverlapTerm).
  *
  * Both terms depend on the centres through the pair distances alone. The pairs are counted once for
- * all terms into a histogram, from which each term works out its value. For the gradient each term
- * adds to one tabulated pair potential what a further pair of that distance changes of its value;
- * one more pass over the pairs then gives the gradient as a sum of pair forces. A term that depends
- * on more than pairs is evaluated beside these and adds to the gradient after that pass.
+ * all terms into a histogram, from which each term works out its value. For the gradient, each term
+ * adds to one tabulated pair potential: by how much one more pair at that distance would change the
+ * term's value. One more pass over the pairs then gives the gradient as a sum of pair forces. A
+ * term that depends on more than pairs would be evaluated beside these, and add to the gradient
+ * after that pass.
  *
- * The pairs are split over the ranks; sums over pairs are integers, so every rank gets the same
- * bits, whatever their number.
+ * The pairs are split over the ranks. Sums over pairs are integers, so that every rank gets the
+ * same bits, whatever the number of ranks.
  */
 class CellObjective
 {
 public:
+  /** `target` and `communicator` are kept as references. */
   CellObjective(
     const CellContents& contents, const TwoPointProbability& target, Communicator& communicator);
   CellObjective(const CellObjective&) = delete; // the terms refer to the histogram
   void operator=(const CellObjective&) = delete;
 
+  /** Sets the weight of the overlap penalty, which is 1 at first. */
   void SetPenaltyWeight(double weight) { this->Overlap.SetWeight(weight); }
 
   struct Terms
@@ -46,9 +49,10 @@ public:
   };
 
   /**
-   * Collective. `centres` holds x, y, z of every sphere in the order of the modes, first all of
-   * mode 1, anywhere in space; `gradient` as many numbers, or null when it is not wanted. `signal`
-   * is a number of the ranks' own that is summed along, such as a wish to stop; it may be null.
+   * Evaluates the objective. `centres` holds x, y, z of every sphere in the order of the modes,
+   * first all of mode 1, anywhere in space. `gradient` receives as many numbers, or is null when it
+   * is not wanted. `signal` is a number of the caller's, such as a wish to stop, that is replaced
+   * by its sum over the ranks on the way; it may be null. Collective.
    */
   Terms Evaluate(const double* centres, double* gradient, std::int64_t* signal = nullptr);
 
@@ -58,7 +62,7 @@ public:
 private:
   PairCounts CountAllPairs(
     const CellList& cells, const std::vector<std::int32_t>& types, std::int64_t* signal);
-  // The derivative of the potential's sum over all pairs
+  // The derivative of the potential's sum over all pairs with respect to the centres
   void FindGradient(
     const CellList& cells, const std::vector<std::int32_t>& types, double* gradient) const;
 
@@ -72,7 +76,7 @@ private:
   std::vector<double> Potential;
 };
 
-/** What estimates have to know of a cell. */
+/** What estimates have to know about a cell. */
 struct CellFigures
 {
   double Spheres = 0.0;
@@ -81,6 +85,6 @@ struct CellFigures
   int Modes = 1;
 };
 
-/** Seconds of one evaluation of the objective, on one core. */
+/** The seconds that one evaluation of the objective takes on one core. */
 double EstimateEvaluation(const CellFigures& cell, const LagGrid& lags, bool withGradient);
 }

@@ -14,8 +14,8 @@ namespace ruc
 {
 namespace
 {
-// Overlap in percent, as MeasureOverlap defines it, from S_rs(0): every pair that overlaps adds its
-// lens volume twice
+// The overlap in percent, as MeasureOverlap defines it, from S_rs(0), to which every pair that
+// overlaps adds its lens volume twice
 double OverlapPercent(const TwoPointProbability& probability)
 {
   double fraction = 0.0;
@@ -78,7 +78,7 @@ public:
 
   UnitCell Run()
   {
-    // A search that is resumed may be at its end
+    // A search that is resumed may already be at its end
     const bool resumed = this->State.Descent.Iterations > 0;
     EndReason endedBy = this->Stopped ? EndReason::Stopped : EndReason::MaximumIterations;
     bool descends = !this->Stopped && this->Settings.MaximumIterations > 0;
@@ -112,7 +112,7 @@ public:
   }
 
 private:
-  // The wish to stop of any rank reaches all
+  // A wish to stop on any rank reaches all ranks with the sums of the evaluation
   void Evaluate(const double* centres, double* gradient)
   {
     this->Terms = this->Objective.Evaluate(centres, gradient, &this->Wish);
@@ -147,7 +147,7 @@ private:
     this->Record(SearchPhase::RemovingOverlap, this->Best.Objective, this->Best.Overlap.Percent);
   }
 
-  // Frees a copy of the centres from overlap and keeps it if it is the best so far. A cell with
+  // Frees a copy of the centres from overlap, and keeps it if it is the best so far. A cell with
   // overlap is kept only while there is none without.
   void Keep(const std::vector<double>& centres)
   {
@@ -205,7 +205,7 @@ private:
     return end == DescentEnd::GivenUp ? EndReason::Stopped : endedBy;
   }
 
-  // What ends the search, or None
+  // Returns what ends the search, or None
   EndReason AfterIteration(const DescentState& descent)
   {
     const double objective = this->Terms.TwoPoint;
@@ -245,8 +245,8 @@ private:
   CellObjective::Terms Terms{};
   GradientState State;
   UnitCell Best;
-  std::int64_t Wish = 0; // to stop, of this rank
-  bool Stopped = false;  // agreed by all ranks
+  std::int64_t Wish = 0; // 1 where this rank wishes to stop
+  bool Stopped = false;  // the same on all ranks
 };
 }
 

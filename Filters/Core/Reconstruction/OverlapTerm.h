@@ -15,8 +15,8 @@ namespace ruc
  *
  *     w sum over overlapping pairs of ((a + b - d) / r)^2,
  *
- * r the mean radius, weighted by volume, of the cell's spheres. It is a fixed pair potential, which
- * is tabulated once.
+ * where r is the mean radius of the cell's spheres, weighted by volume. It is a fixed pair
+ * potential, which is tabulated once.
  */
 class OverlapTerm
 {
@@ -26,6 +26,7 @@ public:
 
   void SetWeight(double weight);
 
+  /** Returns the penalty of all pairs. */
   double Evaluate(const PairCounts& pairs) const;
 
   /** Adds the penalty of a pair to `potential`, a function on the knots of all classes. */
@@ -34,6 +35,6 @@ public:
 private:
   const PairHistogram& Classes;
   double MeanRadius;
-  std::vector<double> Penalties; // of a pair, on the knots of all classes
+  std::vector<double> Penalties; // the penalty of a pair, on the knots of all classes
 };
 }

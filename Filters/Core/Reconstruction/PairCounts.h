@@ -6,11 +6,13 @@
 
 namespace ruc
 {
-/** The pairs of a cell as the terms of its objective see them: its whole PairHistogram, in fixed
- * point. */
+/**
+ * The pairs of a cell as the terms of its objective see them: its whole PairHistogram, in fixed
+ * point.
+ */
 struct PairCounts
 {
-  const std::int64_t* Sums; // as many as PairHistogram::Size()
-  double Scale;             // what a pair weighs in them
+  const std::int64_t* Sums; // PairHistogram::Size() numbers
+  double Scale;             // the weight of a pair in them
 };
 }

@@ -33,7 +33,7 @@ std::uint64_t FingerprintOf(const Value& value)
   return Checksum(ToBytes(value));
 }
 
-// Of what makes it another search
+// The fingerprint of those settings that make it another search
 template <class Settings>
 std::uint64_t FingerprintOfSettings(const Settings& settings)
 {
@@ -50,12 +50,12 @@ std::string Write(const State& state, const SearchKey& key)
   ByteWriter writer;
   writer.Bytes = Magic;
   writer.Put(Version);
-  writer.Put(body); // after its length
+  writer.Put(body); // writes its length first
   writer.Put(Checksum(writer.Bytes));
   return writer.Bytes;
 }
 
-// What stands between head and checksum
+// Returns what stands between head and checksum, once both are checked
 std::string_view CheckedBody(std::string_view bytes)
 {
   constexpr std::size_t head = Magic.size() + sizeof(std::uint32_t) + sizeof(std::uint64_t);

@@ -13,24 +13,26 @@
 namespace ruc
 {
 /**
+ * @file
  * The state of a search as bytes, from which it is resumed (SearchByGradient, SearchByPopulation).
  *
- * Format, version 1, all numbers little-endian as the machine has them: the text "RUCSTATE",
- * version (32 bits), length of what follows without the checksum (64), the four fingerprints (64
- * each), the state as Base/Bytes.h writes it, FNV-1a-64 of everything before (64).
+ * The format has version 1, with all numbers in the byte order of the machine: the text "RUCSTATE";
+ * the version (32 bits); the length of what follows without the checksum (64 bits); the four
+ * fingerprints (64 bits each); the state as Base/Bytes.h writes it; and the FNV-1a-64 checksum of
+ * everything before (64 bits).
  */
 
 /**
  * What a search is about, as fingerprints (FNV-1a-64). Settings that only say when a search ends,
- * and can be changed for it to be carried on, are left out: maximum iterations or generations,
- * patience, target objective.
+ * and may be changed for it to be carried on, are left out: the maximum of iterations or
+ * generations, the patience and the target objective.
  */
 struct SearchKey
 {
   std::uint64_t Method = 0;   // gradient or population
   std::uint64_t Contents = 0; // of the cell
   std::uint64_t Target = 0;   // S_rs and lags
-  std::uint64_t Settings = 0; // seed included
+  std::uint64_t Settings = 0; // with the seed
 
   template <class Self>
   static auto Fields(Self& self)
@@ -49,9 +51,9 @@ std::string WriteCheckpoint(const PopulationState& state, const SearchKey& key);
 
 /**
  * Reads what WriteCheckpoint wrote. Throws std::invalid_argument that says what is wrong with the
- * bytes: they are no checkpoint, of another version, truncated, damaged, holding a value that
- * cannot be, or of another search, and then in what it differs: method, contents, target or
- * settings.
+ * bytes: that they are no checkpoint, are of another version, truncated or damaged, or hold a value
+ * that cannot be; or that they are of another search, and then whether its method, contents, target
+ * or settings differ.
  */
 GradientState ReadGradientCheckpoint(std::string_view bytes, const SearchKey& key);
 PopulationState ReadPopulationCheckpoint(std::string_view bytes, const SearchKey& key);

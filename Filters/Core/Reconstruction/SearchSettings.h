@@ -9,17 +9,19 @@
 namespace ruc
 {
 /**
- * What all searches are told.
+ * The settings that all searches have.
  *
- * Settings know their names and ranges. `VisitSearch(settings, visit)` calls
- * visit(name, value, range) for every number that makes it another search; `VisitEnd` for those
- * that only say when it ends, with which a search that has ended can be carried on. Checks,
- * checkpoints and what is printed of them go by these lists.
+ * Settings know their names and ranges. `VisitSearch(settings, visit)` calls visit(name, value,
+ * range) for every setting that makes it another search; `VisitEnd` does so for those that only say
+ * when it ends, with which a search that has ended can be carried on. Checks, checkpoints and
+ * printed settings go by these lists.
  */
 struct SearchSettings
 {
-  std::uint32_t Seed = 1;       // of all random numbers
-  double TargetObjective = 0.0; // ends the search when a cell without overlap has F2 at or below it
+  /** The seed of all random numbers. */
+  std::uint32_t Seed = 1;
+  /** The search ends when a cell without overlap has F2 at or below this. */
+  double TargetObjective = 0.0;
 
   template <class Self, class Visit>
   static void VisitSearch(Self& self, Visit&& visit)

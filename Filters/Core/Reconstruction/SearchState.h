@@ -7,7 +7,7 @@
 
 namespace ruc
 {
-/** What a search is doing. Checkpoints hold these numbers, so that new ones go to the end. */
+/** What a search is doing. Checkpoints hold these numbers, so new ones are added at the end. */
 enum class SearchPhase : std::uint8_t
 {
   RemovingOverlap,
@@ -20,8 +20,8 @@ constexpr int CountOf(SearchPhase)
 }
 
 /**
- * Why a search ended. The reasons after Converged come from outside; a search itself knows only
- * that it was Stopped, and its caller knows why.
+ * Why a search ended. The reasons from Stopped on come from outside. A search itself knows only
+ * that it was Stopped; its caller knows why.
  */
 enum class EndReason : std::uint8_t
 {
@@ -40,19 +40,19 @@ constexpr int CountOf(EndReason)
   return 9;
 }
 
-/** The name that users see, such as "minimising F2". */
+/** Returns the name that users see, such as "minimising F2". */
 const char* NameOf(SearchPhase phase);
 
-/** The name that users see, such as "Time limit"; empty for None. */
+/** Returns the name that users see, such as "Time limit"; it is empty for None. */
 const char* NameOf(EndReason reason);
 
-/** Whether a search was ended by its caller, rather than by what it found. */
+/** Returns whether a search was ended by its caller, rather than by what it found. */
 inline bool IsFromOutside(EndReason reason)
 {
   return reason >= EndReason::Stopped;
 }
 
-/** Where a search stands; what its caller is told every iteration. */
+/** Where a search stands. Its caller is told in every iteration. */
 struct SearchState
 {
   SearchPhase Phase = SearchPhase::RemovingOverlap;

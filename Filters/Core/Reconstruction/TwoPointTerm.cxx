@@ -25,7 +25,7 @@ TwoPointProbability UnitDifference(
     {
       value = norm > 0.0 ? value / norm : 0.0;
     }
-    unit.Values[p][0] = 0.0; // the norm leaves the lag 0 out
+    unit.Values[p][0] = 0.0; // the norm leaves lag 0 out
   }
   return unit;
 }
@@ -100,9 +100,9 @@ void TwoPointTerm::AddPotential(std::vector<double>& potential) const
   {
     const int r = this->Classes.LowerType(c).Mode - 1;
     const int s = this->Classes.HigherType(c).Mode - 1;
-    // A pair of modes r != s stands twice in the sum over all ordered pairs, and so do its matrix
-    // terms; a pair of particles of one mode counts twice in S_rr. Either way the derivative after
-    // one more pair is twice e_rs - ….
+    // A pair of modes r != s appears twice in the sum over all ordered pairs, and so do its matrix
+    // terms; a pair of particles of one mode counts twice in S_rr. Either way, one more pair
+    // changes F2 by twice this combination.
     std::vector<double> lambda(lags);
     for (std::size_t k = 1; k < lags; ++k)
     {

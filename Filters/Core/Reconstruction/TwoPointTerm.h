@@ -13,13 +13,13 @@
 namespace ruc
 {
 /**
- * F2, equation (13), of a periodic cell against a target: the first term of CellObjective.
+ * F2, equation (13), of a periodic cell against a target, the first term of CellObjective.
  *
- * With lambda_rs(k) = dF2/dS_rs(r_k) the tabulated pair potential Phi_rs(d) = sum_k lambda_rs(k)
+ * With lambda_rs(k) = dF2/dS_rs(r_k), the tabulated pair potential Phi_rs(d) = sum_k lambda_rs(k)
  * g_rs(r_k; d) gives dF2/dx_i as a sum of pair forces.
  *
- * The classes of pairs are shared out over the ranks, and every rank gets the same bits, whatever
- * their number.
+ * The classes of pairs are shared out over the ranks. Every rank gets the same bits, whatever the
+ * number of ranks.
  */
 class TwoPointTerm
 {
@@ -28,21 +28,24 @@ public:
   TwoPointTerm(const CellContents& contents, const TwoPointProbability& target,
     const PairHistogram& classes, Communicator& communicator);
 
-  /** Collective: F2. */
+  /** Returns F2. Collective. */
   double Evaluate(const PairCounts& pairs);
 
-  /** Collective: adds Phi_rs of the pairs evaluated last to `potential`, a function on the knots of
-   * all classes. */
+  /**
+   * Adds Phi_rs of the pairs evaluated last to `potential`, a function on the knots of all classes.
+   * Collective.
+   */
   void AddPotential(std::vector<double>& potential) const;
 
   /** S_rs of the pairs evaluated last. */
   const TwoPointProbability& GetProbability() const { return this->Probability; }
 
 private:
-  // S_rs of a class of pairs, of which both particles and one alone have their share, at every lag
+  // Adds S_rs at every lag for a class of pairs: the shares of its pairs, and of single particles
+  // where both types are the same
   void FindProbability(int pairClass, const PairCounts& pairs, double* probability) const;
 
-  std::vector<int> Count; // spheres of every mode
+  std::vector<int> Count; // the spheres of every mode
   double Volume;          // of the cell
   const TwoPointProbability& Target;
   const PairHistogram& Classes;

@@ -11,7 +11,7 @@ UnitCell FinishUnitCell(SpherePack pack, const Window& box, const TwoPointProbab
   std::uint32_t seed, Communicator& ranks, const std::function<bool()>& carryOn)
 {
   RemoveOverlap(pack, box, seed, carryOn);
-  // All ranks hold the cell: one hands it out
+  // All ranks hold the cell, so one of them hands it out
   const PackShare share = SharePack(ranks.Rank() == 0 ? pack : SpherePack(), box, true, ranks);
   TwoPointProbability probability = SumPairs(share, target.Lags, ranks);
   const double objective = TwoPointDifference(target, probability);

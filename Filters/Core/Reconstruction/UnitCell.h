@@ -14,21 +14,26 @@
 
 namespace ruc
 {
-/** What a search returns. */
+/** The cell that a search returns. */
 struct UnitCell
 {
-  SpherePack Pack; // centres in [0, edge)^3
+  SpherePack Pack; // with centres in [0, edge)^3
   Window Box;
   double Objective = 0.0; // F2 of `Pack`
-  /** F2 of the random start, freed from overlap as far as it went; of a population the mean F2 of
-   * the first. */
+  /**
+   * F2 of the start: of a gradient search that of the random centres, freed from overlap as far as
+   * it went; of a population the mean of the first.
+   */
   double StartObjective = 0.0;
   PackOverlap Overlap;
   int Iterations = 0;                  // or generations
   EndReason EndedBy = EndReason::None; // Stopped when the caller ended the search
   TwoPointProbability Probability;
-  /** Of every iteration; the last is the cell returned. Of a gradient search 0 is the random start
-   * and 1 has its overlap removed; of a population 0 is the best of the first. */
+  /**
+   * Where the search stood in every iteration; the last is the cell returned. In a gradient search
+   * entry 0 is the random start and entry 1 has its overlap removed; in a population entry 0 is the
+   * best of the first.
+   */
   std::vector<SearchState> Convergence;
 
   template <class Self>
@@ -40,9 +45,10 @@ struct UnitCell
 };
 
 /**
- * Collective: the cell of these spheres in a periodic box, freed from overlap (RemoveOverlap, with
- * its seed and `carryOn`, which must return the same on every rank), with its overlap, and its S_rs
- * and F2 by the estimator that made the target. What belongs to a search is left empty.
+ * Returns the cell of these spheres in a periodic box, freed from overlap by RemoveOverlap (with
+ * its seed and `carryOn`, which must return the same on every rank). Its overlap is measured, and
+ * its S_rs and F2 are found by the estimator that made the target. The fields that belong to a
+ * search are left empty. Collective.
  */
 UnitCell FinishUnitCell(SpherePack pack, const Window& box, const TwoPointProbability& target,
   std::uint32_t seed, Communicator& ranks, const std::function<bool()>& carryOn);

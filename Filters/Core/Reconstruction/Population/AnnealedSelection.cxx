@@ -42,7 +42,8 @@ std::vector<int> DrawMatingPool(
   {
     const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
     double rest = random.Next() * total;
-    // Rounding, and shares of 0, may leave the wheel at its end: then the last that is on it
+    // Rounding, and shares of 0, may leave the wheel at its end; then the last member on it is
+    // taken
     std::size_t place = 0;
     for (std::size_t k = 0; k < shares.size(); ++k)
     {

@@ -16,7 +16,7 @@ double Wrapped(double c, double edge)
   return rest < edge ? rest : 0.0; // rounding may give the edge itself
 }
 
-// To the nearest image
+// The difference to the nearest image
 double Difference(double from, double to, double edge)
 {
   const double difference = to - from;
@@ -28,7 +28,7 @@ int NumberOfSpheres(const Chromosome& centres)
   return static_cast<int>(centres.size() / 3);
 }
 
-// `number` different spheres of `all`: the start of a Fisher-Yates shuffle
+// Draws `number` different spheres of `all` by the start of a Fisher-Yates shuffle
 std::vector<int> DrawSpheres(int all, int number, RandomSequence& random)
 {
   std::vector<int> spheres(all);
@@ -41,7 +41,7 @@ std::vector<int> DrawSpheres(int all, int number, RandomSequence& random)
   return spheres;
 }
 
-// Changes every gene of `spheres` drawn spheres into change(gene's place)
+// Changes every gene of `spheres` drawn spheres into change(place of the gene)
 template <class Change>
 Chromosome ChangeSpheres(
   const Chromosome& parent, int spheres, RandomSequence& random, Change&& change)

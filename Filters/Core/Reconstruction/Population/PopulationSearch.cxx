@@ -139,8 +139,8 @@ private:
 
   // ---- Generations ----
 
-  // Returns false when a rank wished to stop on the way; the state is that of the last generation
-  // then
+  // Returns false when a rank wished to stop on the way; the state is then that of the last
+  // generation
   bool AdvanceGeneration()
   {
     const double before = this->FitnessOfAll()[this->BestMember()];
@@ -166,7 +166,7 @@ private:
     return true;
   }
 
-  // Select, alter and replace: Algorithm 1
+  // The steps of Algorithm 1: select, alter and replace
   bool Breed()
   {
     const std::vector<double> fitness = this->FitnessOfAll();
@@ -203,7 +203,7 @@ private:
     return true;
   }
 
-  // Of the pool, or of all where the pool is one member
+  // Draws a mate from the pool, or from all members where the pool is a single one
   int DrawMate(int parent, const std::vector<int>& pool, RandomSequence& random) const
   {
     const int number = static_cast<int>(pool.size() > 1 ? pool.size() : this->State.Centres.size());
@@ -245,7 +245,7 @@ private:
       fitness[parent] <= fitness[mate], this->Contents.Edge, some, range, random);
   }
 
-  // Lets a child take its parent's place, `u` being drawn
+  // Lets a child take its parent's place, or not; `u` is the random number that decides
   void Compete(Member& child, int parent, double u)
   {
     const std::vector<double> fitness = this->FitnessOfAll();
@@ -267,8 +267,8 @@ private:
 
   // ---- Refinement by gradient, all ranks together ----
 
-  // RefinementSteps of a descent, and the place freed from overlap as a member. Returns false when
-  // a rank wished to stop.
+  // Takes RefinementSteps of a descent, and makes a member of its place, freed from overlap.
+  // Returns false when a rank wished to stop.
   bool Refine(DescentState& descent, Member& member)
   {
     DescentSettings settings;
@@ -318,9 +318,9 @@ private:
     return this->Refine(descent, member);
   }
 
-  // The best member's, at first that of the random start of SearchByGradient, so that the hybrid
-  // goes the same way as long as that goes down; the pool rests as long as that is worth more than
-  // children
+  // Descends from the best member. The first time it is the random start of SearchByGradient, so
+  // that the hybrid goes the same way as long as that leads down. The pool rests as long as the
+  // descent gains more than children would.
   bool RefineBest(bool& poolRests)
   {
     const int best = this->State.Generation == 0 ? 0 : this->BestMember();
@@ -362,7 +362,7 @@ private:
     }
   }
 
-  // The wish to stop of any rank reaches all
+  // A wish to stop on any rank reaches all ranks
   void AskAll(const SearchState& state)
   {
     this->Ask(state);
@@ -386,7 +386,7 @@ private:
   void FinishGeneration()
   {
     this->State.Convergence.push_back(this->DescribeBest());
-    // A first population that was stopped on the way is none to go on from
+    // Nothing can go on from a first population that was stopped on the way
     const bool whole = static_cast<int>(this->State.Centres.size()) == this->Settings.Population;
     if (whole)
     {
@@ -398,7 +398,7 @@ private:
     }
   }
 
-  // What ends the search, or None
+  // Returns what ends the search, or None
   EndReason FindEnd()
   {
     const int best = this->BestMember();
@@ -464,8 +464,8 @@ private:
   MemberMaker Members;
   Window Box;
   PopulationState State;
-  std::int64_t Wish = 0; // to stop, of this rank
-  bool Stopped = false;  // agreed by all ranks
+  std::int64_t Wish = 0; // 1 where this rank wishes to stop
+  bool Stopped = false;  // the same on all ranks
 };
 }
 

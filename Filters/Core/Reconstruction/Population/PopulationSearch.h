@@ -16,20 +16,20 @@ namespace ruc
 struct PopulationResult
 {
   UnitCell Best;                // the best member, freed from the last overlap
-  ObjectiveRange Before, After; // Table I
+  ObjectiveRange Before, After; // of the first and the last population
 };
 
 /**
- * Looks for the cell of SearchByGradient by the paper's Algorithm 1, an augmented simulated
- * annealing: a population, half of it random, half deposited, from which every generation draws a
- * mating pool by rank, alters it by genetic operators and by the mass-spring mutation, and lets the
- * children take their parents' places with an annealed probability. F2 of every member is exact
- * (CellObjective). The best member, by fitness, is never replaced by a worse one, and always by a
+ * Looks for the same cell as SearchByGradient by the paper's Algorithm 1, an augmented simulated
+ * annealing. Part of the first population is random, the rest is deposited. Every generation draws
+ * a mating pool by rank, alters it by genetic operators and by the mass-spring mutation, and lets
+ * the children take their parents' places with an annealed probability. F2 of every member is that
+ * of CellObjective. The best member, by fitness, is never replaced by a worse one, and always by a
  * better one.
  *
- * Collective; every rank holds the whole population and returns the same bits, whatever the number
- * of ranks and threads. Member i of the first population, and child j of a generation, are made and
- * evaluated by rank i, j % ranks; the hybrid's descents are shared by all, one after another.
+ * Every rank holds the whole population and returns the same bits, whatever the number of ranks and
+ * threads. Members of the first population and children are made and evaluated in turn, number n by
+ * rank n % ranks. All ranks share the descents of the hybrid, one after another. Collective.
  *
  * `carryOn` is asked on every rank, on the calling thread, in all that may take long: every
  * generation, the first population being generation 0, and again and again while members are made,

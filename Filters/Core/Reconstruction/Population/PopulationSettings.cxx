@@ -37,7 +37,7 @@ void CheckSettings(const PopulationSettings& settings)
 Estimate EstimatePopulationSearch(
   const CellFigures& cell, const LagGrid& lags, const PopulationSettings& settings)
 {
-  constexpr double SecondsPerChildSphere = 1.4e-5; // freed from overlap by springs
+  constexpr double SecondsPerChildSphere = 1.4e-5; // to free it from overlap by springs
   const double evaluation = EstimateEvaluation(cell, lags, false);
   const double member = cell.Spheres * SecondsPerStartedSphere + evaluation;
   const double child = cell.Spheres * SecondsPerChildSphere + evaluation;

@@ -10,37 +10,57 @@
 
 namespace ruc
 {
-/** Defaults are the paper's (section IV B) where it names a number. */
+/**
+ * Settings of SearchByPopulation. The defaults are the paper's (section IV B) where it names a
+ * number. The ranges stand in VisitSearch and VisitEnd.
+ */
 struct PopulationSettings : SearchSettings
 {
-  int Population = 512;     // N_i, the members
-  double RandomShare = 0.5; // of the first population at random, the others by deposition
-  double DepositionDegree = DefaultDepositionDegree; // of overlap that a deposition allows
-  int MatingPool = 16;                               // m, at most Population
-  int MaximumGenerations = 10000;                    // 0 gives the best of the first population
-  int PatienceGenerations = 300; // the search ends after as many without a better best member
+  /** N_i, the number of members. */
+  int Population = 512;
+  /** The share of the first population that is made at random; the others are deposited. */
+  double RandomShare = 0.5;
+  /** The degree of overlap that a deposition allows (DepositBallistically). */
+  double DepositionDegree = DefaultDepositionDegree;
+  /** m, the number of members in the mating pool, at most Population. */
+  int MatingPool = 16;
+  /** 0 gives the best of the first population. */
+  int MaximumGenerations = 10000;
+  /** The search ends after this many generations without a better best member. */
+  int PatienceGenerations = 300;
 
-  double SelectionPressure = 1.5; // of DrawMatingPool
-  double HalfOverlap = 1.0;       // of OverlapPenalty, in percent
+  /** The pressure of DrawMatingPool. */
+  double SelectionPressure = 1.5;
+  /** The overlap in percent at which OverlapPenalty is 1/2. */
+  double HalfOverlap = 1.0;
 
+  /** How often each GeneticOperator is drawn, in units of their sum, which is > 0. */
   ruc::OperatorWeights OperatorWeights = { 1, 1, 1, 1, 1, 1, 1, 1 };
-  double MutatedShare = 0.01; // of the spheres that an operator on some changes
-  double MutationShape = 2.0; // b of the non-uniform mutations
-  double MutationReach = 1.0; // the longest non-uniform mutation, in half edges
-  /** G of (1 - g / G)^b. It is not the maximum, so that a search that has ended can be carried on.
-   */
+  /** The share of the spheres that an operator on some of them changes. */
+  double MutatedShare = 0.01;
+  /** b of the non-uniform mutations. */
+  double MutationShape = 2.0;
+  /** The longest non-uniform mutation, in half edges. */
+  double MutationReach = 1.0;
+  /** G of (1 - g / G)^b. It is not MaximumGenerations, so that a search that has ended can be
+   * carried on. */
   int MutationGenerations = 10000;
-  double MassSpringProbability = 0.9; // that a child is moved by springs until free of overlap
+  /** The probability that a child is moved by springs until it is free of overlap. */
+  double MassSpringProbability = 0.9;
 
-  double InitialTemperature = 1e-3; // of the acceptance, in units of the fitness
-  double CoolingFactor = 0.98;      // of the temperature, a generation
-  int ReheatingGenerations = 100;   // back to the initial after as many without improvement
+  /** The temperature of AcceptanceProbability at the start, in units of the fitness. */
+  double InitialTemperature = 1e-3;
+  /** The factor of the temperature from one generation to the next. */
+  double CoolingFactor = 0.98;
+  /** After this many generations without improvement the temperature is the initial one again. */
+  int ReheatingGenerations = 100;
 
   /**
-   * 0: annealed population. More: hybrid, with so many steps of L-BFGS on F2 at a time. In every
-   * generation the best member goes on downhill, its Hessian kept; in the first generation it is
-   * member 0, the start of SearchByGradient. The mating pool rests as long as that gains
-   * LeastProgress (GradientSearch.h) or more; else its children are refined as well.
+   * 0 means an annealed population. A larger number means a hybrid that takes this many steps of
+   * L-BFGS on F2 at a time. In every generation the best member goes on downhill, and its Hessian
+   * is kept; in the first generation it is member 0, the start of SearchByGradient. The mating pool
+   * rests as long as that gains at the rate of LeastProgress (GradientSearch.h) or more; else its
+   * children are refined as well.
    */
   int RefinementSteps = 0;
 
@@ -78,8 +98,8 @@ struct PopulationSettings : SearchSettings
 };
 
 /**
- * What the hybrid has of its own: few members, of which the best descends, and small mutations.
- * The names are those that users see.
+ * The settings that the hybrid has of its own: few members, of which the best descends, and small
+ * mutations. The names in VisitSearch are those that users see.
  */
 struct HybridSettings
 {
@@ -103,16 +123,19 @@ struct HybridSettings
 };
 
 /**
- * The settings of a hybrid: its own, operators and selection that go with small mutations, and the
- * rest from those of the annealed population. Throws std::invalid_argument for those of its own
- * that are out of range.
+ * Returns the settings of a hybrid: its own, operators and selection that suit small mutations, and
+ * the rest from those of the annealed population. Throws std::invalid_argument where its own are
+ * out of range.
  */
 PopulationSettings HybridOf(const PopulationSettings& annealed, const HybridSettings& own);
 
 /** Throws std::invalid_argument for settings out of range. */
 void CheckSettings(const PopulationSettings& settings);
 
-/** What SearchByPopulation takes to its last generation; of the hybrid with descents all along. */
+/**
+ * What SearchByPopulation takes if it runs to its last generation; for the hybrid, if every
+ * generation descends.
+ */
 Estimate EstimatePopulationSearch(
   const CellFigures& cell, const LagGrid& lags, const PopulationSettings& settings);
 }
