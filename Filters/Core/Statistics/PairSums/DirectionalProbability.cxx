@@ -21,10 +21,10 @@ namespace ruc
 {
 namespace
 {
-// Directions are taken so many at a time that the sums of a thread stay below this, 24 MB
+// As many directions are taken at a time as keep the sums of a thread below this number, 24 MB
 constexpr std::size_t MostSums = 1 << 20;
 
-// Directions, an array for each component for vector loops
+// Directions, with an array for each component, for vector loops
 struct Components
 {
   std::vector<double> X, Y, Z;
@@ -71,8 +71,9 @@ void AddLags(const LensFormula& lens, double along, double across2, double facto
   }
 }
 
-// Sums for a number of directions at a time: for every direction and unordered pair of modes one
-// function of the lags; behind them another set, of what does not depend on the direction.
+// Sums for a number of directions at a time. For every direction and unordered pair of modes there
+// is one function of the lags; behind them is another set, of what does not depend on the
+// direction.
 class DirectionalSum
 {
 public:
@@ -80,7 +81,7 @@ public:
     : Share(share)
     , Lags(lags)
     , Pairs(share, SizeClasses(share.Own.Radius, lags.Maximum(), 1.0, ranks), ranks, "MaximumLag")
-    , Numbering(share.NumberOfModes() - 1, { 1.0, 0 }) // of the modes as if they were all phases
+    , Numbering(share.NumberOfModes() - 1, { 1.0, 0 }) // as if the modes were all the phases
     , Unit(SphereVolume(share.LargestRadius))
   {
   }
@@ -90,7 +91,7 @@ public:
     return static_cast<std::size_t>(this->Numbering.Pairs()) * (this->Lags.Count + 1);
   }
 
-  // S_rs x V of the modes, in the layout of the sums
+  // S_rs x V for pairs of modes, in the layout of the sums
   std::vector<double> Sum(const std::vector<Vector3>& directions, std::size_t first,
     std::size_t count, Communicator& ranks, const std::function<void(double)>& progress) const
   {
@@ -118,7 +119,7 @@ public:
     return values;
   }
 
-  // S_rs of a direction, the d-th of those that were summed
+  // S_rs along the d-th of the directions that were summed
   TwoPointProbability Result(const std::vector<double>& values, std::size_t d) const
   {
     const int modes = this->Share.NumberOfModes();
@@ -174,7 +175,7 @@ private:
         {
           return;
         }
-        // Within a mode both orders of a pair count; half of each along n and -n
+        // Within a mode both orders of a pair count. Each counts half along n and half along -n.
         const double orders = own.Mode[i] == part.Pack.Mode[j] ? 2.0 : 1.0;
         const double factor = 0.5 * orders * scale * weight * (Pi / 12.0);
         std::int64_t* pair = sums + place(own.Mode[i], part.Pack.Mode[j]);

@@ -19,16 +19,16 @@ namespace ruc
 {
 namespace
 {
-// With more types than this, or a histogram larger than fits a cache, tables for all pairs of types
-// no longer pay
+// With more types than this, or a histogram too large for a cache, tables for all pairs of types do
+// not pay
 constexpr std::size_t MostTypes = 256;
 constexpr double LargestHistogram = 1 << 21;
-// Many lags between centre and rim of a sphere make tables larger than this; the few pairs that
-// meet at such lags are then summed one by one
+// Where many lags lie between the centre and the surface of a sphere, tables would be larger than
+// this; the few pairs that meet at such lags are then summed one by one
 constexpr double LargestTables = 256e6; // bytes
 
-// Every type of sphere that occurs on any rank, once and in order; more than MostTypes where there
-// are more, but not all of them
+// Returns every type of sphere that occurs on any rank, once and in order. Where there are more
+// than MostTypes, it returns more than MostTypes, but not all of them.
 std::vector<SphereType> FindTypes(const SpherePack& own, Communicator& ranks)
 {
   std::set<SphereType> types;
@@ -44,8 +44,8 @@ std::vector<SphereType> FindTypes(const SpherePack& own, Communicator& ranks)
   return { types.begin(), types.end() };
 }
 
-// Few types: a histogram of the distances for every pair of types, and behind it the number of
-// spheres of every type
+// The method for few types: a histogram of the distances for every pair of types, and behind it the
+// number of spheres of every type
 class TabulatedSum
 {
 public:
@@ -100,7 +100,7 @@ public:
       }
       kernel.AddOverlap(weights.data(), result.S(r, s).data());
     }
-    // The sphere with itself
+    // Every sphere with itself
     for (std::size_t t = 0; t < this->Types.size(); ++t)
     {
       const SphereType& type = this->Types[t];
@@ -119,7 +119,7 @@ private:
   std::vector<SphereType> Types;
   PairHistogram Histogram;
   const WeightedPairs& Pairs;
-  std::vector<std::vector<std::int32_t>> TypeOfPlace; // of every part
+  std::vector<std::vector<std::int32_t>> TypeOfPlace; // for every part
 };
 
 // Adds factor x g_ab(r_k; d), k = 1…K, to integers; inverse[k] = 1 / (2 r_k)
@@ -148,7 +148,7 @@ void AddOverlap(double a, double b, double d, double factor, const LagGrid& lags
   }
 }
 
-// Many types: the closed form for every pair and lag
+// The method for many types: the closed form for every pair and lag
 class DirectSum
 {
 public:
@@ -194,7 +194,8 @@ public:
         // Within a mode both orders of a pair count.
         const double orders = own.Mode[i] == part.Pack.Mode[j] ? 2.0 : 1.0;
         const double factor = scale * orders * weight;
-        // The spheres in one order, whichever rank meets them: rounding is not symmetric
+        // The spheres are taken in one order, whichever rank meets them, as rounding is not
+        // symmetric
         const double lesser = std::min(a, b), greater = std::max(a, b);
         std::int64_t* pair = this->SumsOf(own.Mode[i], part.Pack.Mode[j], sums);
         pair[0] += RoundToFixedPoint(factor * LensVolume(lesser, greater, d));
@@ -256,7 +257,7 @@ TwoPointProbability SumPairs(const PackShare& share, const LagGrid& lags, Commun
   const std::vector<SphereType> types = FindTypes(share.Own, ranks);
   const double cutoff = lags.Maximum() + 2.0 * share.LargestRadius;
   const Window& window = share.Observed;
-  // A bound of the weights, which costs no walk over all pairs
+  // A bound of the weights, which needs no walk over all pairs
   const double heaviest =
     window.IsFullyPeriodic() ? 1.0 : window.Volume() / window.LeastSetCovariance(cutoff);
   const SizeClasses classes(share.Own.Radius, lags.Maximum(), 1.0, ranks);
@@ -278,7 +279,7 @@ TwoPointProbability SumPairs(const SpherePack& pack, const Window& window, const
 namespace
 {
 constexpr double SecondsPerDirectPair = 4.8e-8;
-constexpr double SecondsPerDirectLag = 0.5e-9;   // of a pair
+constexpr double SecondsPerDirectLag = 0.5e-9;   // for a lag of a pair
 constexpr double SecondsPerClassAndLag = 1.3e-6; // from the histogram of a pair of types to S_rs
 }
 

@@ -18,7 +18,7 @@ PairHistogram::PairHistogram(
   {
     for (int q = p; q < count; ++q)
     {
-      // The last interval lies where g is 0, for pairs that are too far apart to matter
+      // The last interval lies where g is 0. It takes the pairs that are too far apart to matter.
       const double a = this->Types[p].Radius, b = this->Types[q].Radius;
       const double spacing = PairKernel::KnotSpacing(std::min(a, b), lags, resolution);
       this->Kernels.emplace_back(a, b, lags, lags.Maximum() + a + b + spacing, resolution);
@@ -42,8 +42,8 @@ double PairHistogram::EstimateSize(const std::vector<SphereType>& types, const L
     for (const SphereType& b : types)
     {
       const double spacing = PairKernel::KnotSpacing(std::min(a.Radius, b.Radius), lags);
-      numbers += (lags.Maximum() + a.Radius + b.Radius) /
-        spacing; // half of two numbers a knot: classes are unordered
+      // Two numbers for each knot, but classes are unordered and met twice here
+      numbers += (lags.Maximum() + a.Radius + b.Radius) / spacing;
     }
   }
   return numbers;

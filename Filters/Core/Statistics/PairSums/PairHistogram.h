@@ -10,7 +10,7 @@
 
 namespace ruc
 {
-/** What the spheres of one size in one mode have in common. */
+/** The type of a sphere, which is its mode and radius. */
 struct SphereType
 {
   int Mode;
@@ -33,11 +33,11 @@ struct SphereType
 };
 
 /**
- * Histogram of the pair distances of a pack for every class of pairs, a class being an unordered
- * pair of sphere types.
+ * A histogram of the pair distances of a pack for every class of pairs, where a class is an
+ * unordered pair of sphere types.
  *
  * A pair adds the four Hermite weights of its distance to the knots of its class (PairKernel), as
- * integers in fixed point; sums over pairs are then exact, and the same in whatever order and on
+ * integers in fixed point. Sums over pairs are thus exact, and the same in whatever order and on
  * however many threads and ranks they are taken.
  */
 class PairHistogram
@@ -49,12 +49,14 @@ public:
   int NumberOfTypes() const { return static_cast<int>(this->Types.size()); }
   int NumberOfClasses() const { return static_cast<int>(this->Kernels.size()); }
   const PairKernel& Kernel(int pairClass) const { return this->Kernels[pairClass]; }
-  /** Place of a class's first number in a histogram, or in any function on the knots of all
-   * classes. */
+  /**
+   * The place of a class's first number in a histogram, or in any function on the knots of all
+   * classes.
+   */
   std::size_t Begin(int pairClass) const { return this->ClassBegin[pairClass]; }
-  /** Numbers in a histogram. */
+  /** How many numbers a histogram holds. */
   std::size_t Size() const { return this->ClassBegin.back(); }
-  /** The lower and the higher type of a class. */
+  /** The lower and the higher sphere type of a class. */
   const SphereType& LowerType(int pairClass) const
   {
     return this->Types[this->ClassTypes[pairClass].first];
@@ -64,29 +66,33 @@ public:
     return this->Types[this->ClassTypes[pairClass].second];
   }
 
-  /** Numbers that a histogram for these types would have, without making its tables: to decide
-   * whether there are few enough. */
+  /**
+   * How many numbers a histogram for these types would hold, without making its tables, to decide
+   * whether they are few enough.
+   */
   static double EstimateSize(const std::vector<SphereType>& types, const LagGrid& lags);
 
-  /** Bytes of the tables of all classes. */
+  /** How many bytes the tables of all classes would take. */
   static double EstimateTables(const std::vector<SphereType>& types, const LagGrid& lags);
 
   /**
-   * The largest power of two by which weights up to `heaviest` may be scaled to integers: no sum
-   * over `spheres` spheres of up to `mostNeighbours` pairs each reaches 2^62, and no single weight
-   * 2^50.
+   * Returns the largest power of two by which weights up to `heaviest` may be scaled to integers
+   * such that no sum over `spheres` spheres of up to `mostNeighbours` pairs each reaches 2^62, and
+   * no single weight 2^50.
    */
   static double FixedPointScale(std::int64_t spheres, std::int64_t mostNeighbours, double heaviest);
 
-  /** Where the hot loops find a distance: at knot floor(u) with u = distance x InverseSpacing +
-   * Shift, or Last where that is less: between two knots at which there is no overlap at any lag.
+  /**
+   * Where the hot loops find a distance: at knot floor(u) with u = distance x InverseSpacing +
+   * Shift. u is at most Last, which lies between two knots at which there is no overlap at any lag.
+   * Begin is the place of the class's first number.
    */
   struct alignas(32) Lookup
   {
     double InverseSpacing, Shift, Last;
     std::int32_t Begin;
   };
-  /** One for every other type. */
+  /** The lookups of the pairs of a type with every type. */
   const Lookup* LookupRow(int type) const
   {
     return &this->Lookups[std::size_t(type) * this->Types.size()];

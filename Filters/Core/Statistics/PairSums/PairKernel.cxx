@@ -32,8 +32,8 @@ void Accumulate(int count, double alpha, const double* moment, double beta, cons
   }
 }
 
-// Adds two scalar products, each in eight interleaved partial sums so that the order is the same on
-// every machine
+// Adds two scalar products, each in eight interleaved partial sums, so that the order is the same
+// on every machine
 RUC_VECTOR_CLONES
 void Project(int count, const double* lambda, const double* moment, const double* slope, int step,
   double* products)
@@ -100,7 +100,7 @@ PairKernel::PairKernel(
   const double contact = a + b;
   this->ContactKnot = static_cast<int>(std::ceil(contact / this->Spacing));
   this->First = contact - this->ContactKnot * this->Spacing;
-  // one interval more than is needed, so that rounding cannot put a distance behind the last
+  // One interval more than is needed, so that rounding cannot put a distance behind the last
   this->Intervals = static_cast<int>(std::ceil((cutoff - this->First) / this->Spacing)) + 1;
 
   for (int p = 0; p < std::max(this->KnotsPerLag, 1); ++p)
@@ -120,7 +120,7 @@ PairKernel::PairKernel(
 
 PairKernel::Factors PairKernel::FactorsOf(double d) const
 {
-  // Closer to 0 the quotients below lose more digits than the limit's own error: 2 r g -> 2 r
+  // Closer to 0 the quotients below lose more digits than the error of the limit, 2 r g -> 2 r
   // V_ab(r) = 2 dh/dt at t = -r
   if (std::abs(d) < 1e-5 * std::min(this->RadiusA, this->RadiusB))
   {
@@ -154,7 +154,7 @@ void PairKernel::ForEachStretch(int knot, bool sum, Visit&& visit) const
 
 void PairKernel::AddOverlap(const double* weights, double* sums) const
 {
-  std::vector<double> moments(this->Lags.Count + 1, 0.0); // sum of 2 r g
+  std::vector<double> moments(this->Lags.Count + 1, 0.0); // sums of 2 r g
   for (int m = 0; m <= this->Intervals; ++m)
   {
     const double value = weights[2 * m];

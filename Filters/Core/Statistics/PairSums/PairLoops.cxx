@@ -13,8 +13,8 @@ namespace ruc
 {
 namespace
 {
-// Part of a range of centres; distances and weights are found in vector registers before the
-// histogram is touched
+// The length of a part of a range of centres; distances and weights are found in vector registers
+// before the histogram is touched
 constexpr std::size_t ChunkSize = 256;
 
 struct Chunk
@@ -26,7 +26,7 @@ struct Chunk
   double Weight[ChunkSize];
 };
 
-// The displacement is (centre - place) + shift, see PairNeighbourhood
+// The displacement is (centre - place) + shift (see PairNeighbourhood)
 RUC_VECTOR_CLONES
 void FindDistances(Chunk& chunk, const double* place, const double* shift)
 {
@@ -44,8 +44,8 @@ void FindDistances(Chunk& chunk, const double* place, const double* shift)
   }
 }
 
-// The set covariance of a box is the product of (edge - loss x |displacement|); loss is 0 along a
-// periodic axis, the only ones with a shift.
+// The set covariance of a box is the product of (edge - loss x |displacement|) over its axes.
+// `loss` is 0 along periodic axes, the only ones with a shift.
 RUC_VECTOR_CLONES
 void WeighByBox(
   Chunk& chunk, const double* place, const double* edge, const double* loss, double numerator)
@@ -67,7 +67,7 @@ void WeighByBox(
 using Four = double __attribute__((vector_size(32)));
 using FourIntegers = std::int64_t __attribute__((vector_size(32)));
 
-// Inlined so as to be compiled for the caller's instruction set
+// Always inlined, so that it is compiled for the caller's instruction set
 [[gnu::always_inline]] inline void AddRounded(const Four& values, std::int64_t* sums)
 {
   const Four zero = Four{} + FixedPointRounder;
@@ -95,7 +95,7 @@ void AddToHistogram(
 {
   std::uint16_t kept[ChunkSize];
   const std::size_t number = KeepCloserThan(cutoff, chunk, kept);
-  // The cubic Hermite basis: value and slope at the lower knot, value and slope at the upper
+  // The cubic Hermite basis, for value and slope at the lower knot and value and slope at the upper
   const Four constant = { 1.0, 0.0, 0.0, 0.0 };
   const Four linear = { 0.0, 1.0, 0.0, 0.0 };
   const Four quadratic = { -3.0, -2.0, 3.0, -1.0 };
@@ -118,7 +118,8 @@ namespace
 {
 constexpr double NoShift[3] = { 0.0, 0.0, 0.0 };
 
-// Hands the centres [begin, end) of a cell list to visit(chunk, first) in chunks
+// Puts the centres [begin, end) of a cell list into `chunk`, part by part, and calls visit(first)
+// for each
 template <class Visit>
 void ForEachChunk(Chunk& chunk, const CellList& cells, const std::int32_t* types, std::size_t begin,
   std::size_t end, Visit&& visit)
@@ -223,7 +224,8 @@ double FindSlopes(
 
 namespace
 {
-// As AddToHistogram; `places` are the centres x, y, z, 0 of the chunk, `gradient` belongs to them
+// Does what AddToHistogram does for forces; `places` are the centres x, y, z, 0 of the chunk, to
+// which `gradient` belongs
 RUC_VECTOR_CLONES
 void AddForces(const Chunk& chunk, double cutoff, const PairHistogram::Lookup* lookups,
   const double* slopes, double scale, const double* centre, const double* places, std::int64_t* own,

@@ -23,11 +23,13 @@ namespace ruc
 {
 namespace
 {
-constexpr double MostNumbers = 5e7; // of all images, 400 MB
-constexpr int Lanes = 8;            // numbers of a row taken together
+constexpr double MostNumbers = 5e7; // in all images, 400 MB
+constexpr int Lanes = 8;            // how many numbers of a row are taken together
 
-/** The half of a cubic grid that a map is made of, as slices k = 0…Half: of all of them but k = 0,
- * where rows j > 0 are the mirror images of those j < 0 and stay empty. */
+/**
+ * The half of a cubic grid that is summed up, as slices k = 0…Half. They are whole but for k = 0,
+ * where rows j > 0 are the mirror images of those j < 0 and stay empty.
+ */
 struct HalfGrid
 {
   int Half;
@@ -37,7 +39,7 @@ struct HalfGrid
   std::size_t Size() const { return (static_cast<std::size_t>(this->Half) + 1) * this->Slice(); }
 };
 
-/** The slices of a thread, every Stride-th, of images that follow each other. */
+/** The slices of a thread, which takes every Stride-th, of images that follow each other. */
 struct Images
 {
   std::int64_t* Sums;
@@ -58,12 +60,12 @@ struct Ball
 
   struct Row
   {
-    std::size_t First; // voxel of an image
+    std::size_t First; // place of its first voxel in an image
     int Count;
   };
   std::size_t NumberOfRows = 0, Size = 0;
   std::vector<Row> Rows;
-  std::vector<double> Squares; // of the distances from the centre
+  std::vector<double> Squares; // the squared distances from the centre
   std::vector<std::int64_t> Overlap;
 };
 
@@ -76,7 +78,7 @@ RUC_VECTOR_CLONES // for rounding without calls
   Ball::Row* row = ball.Rows.data();
   double* squares = ball.Squares.data();
   const double contact2 = contact * contact, most = grid.Half;
-  // In double until it is known to be in the grid, or next to it
+  // In double until the number is known to be in the grid, or next to it
   const auto first = [&](double low, double least)
   { return static_cast<int>(std::min(std::max(std::ceil(low), least), most + 1.0)); };
   const auto last = [&](double high)
@@ -99,7 +101,7 @@ RUC_VECTOR_CLONES // for rounding without calls
         *row++ = { static_cast<std::size_t>(k / images.Stride) * grid.Slice() +
             (j + grid.Half) * grid.Row() + (begin + grid.Half),
           end - begin };
-        // Whole vectors at a time; the next row overwrites what is too much
+        // Whole vectors are written at a time; the next row overwrites what is too much
         for (int i = begin; i < end; i += Lanes)
         {
           for (int lane = 0; lane < Lanes; ++lane)
@@ -116,7 +118,7 @@ RUC_VECTOR_CLONES // for rounding without calls
   ball.Size = squares - ball.Squares.data();
 }
 
-// factor x V(sqrt(square)) as integers
+// Finds factor x V(sqrt(square)) as integers
 RUC_VECTOR_CLONES
 void FindOverlap(const LensFormula& lens, double factor, const double* squares, std::size_t count,
   std::int64_t* overlap)
@@ -128,8 +130,8 @@ void FindOverlap(const LensFormula& lens, double factor, const double* squares, 
   }
 }
 
-// Adds factor x V(|d - x|), `multiple[m]` times to image m, to the voxels x of a thread that are in
-// the half grid
+// Adds factor x V(|d - x|), multiplied by multiple[m] for image m, to those voxels x of a thread
+// that are in the half grid
 void AddBall(const LensFormula& lens, const Vector3& d, double factor, const HalfGrid& grid,
   const Images& images, const std::vector<std::int64_t>& multiple, Ball& ball)
 {
@@ -153,7 +155,8 @@ void AddBall(const LensFormula& lens, const Vector3& d, double factor, const Hal
 }
 
 // How often the overlap of an unordered pair of spheres, of modes a and b, counts in what is summed
-// for S_rs: S_rs itself for two modes, all of them with r for (r, m), all there are for (m, m)
+// for S_rs: for two modes this is S_rs itself, for (r, m) the sum of all that have r, for (m, m)
+// the sum of all
 int MultipleOf(const std::array<int, 2>& phases, int a, int b, int matrix)
 {
   const int r = std::min(phases[0], phases[1]), s = std::max(phases[0], phases[1]);
@@ -203,7 +206,7 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
   limit.CheckSpacing(spacing);
 }
 
-// How often the overlap of two spheres, of modes from 1, counts in every image
+// How often the overlap of two spheres, of modes counted from 1, counts in every image
 struct Multiples
 {
   Multiples(const std::vector<std::array<int, 2>>& pairs, int modes)
@@ -234,7 +237,7 @@ struct Multiples
   std::vector<std::vector<std::int64_t>> Two, Self;
 };
 
-// The overlaps of all pairs summed up in the half grid
+// Sums the overlaps of all pairs up in the half grid
 class MapSums
 {
 public:
@@ -251,12 +254,13 @@ public:
   {
   }
 
-  // Of the centres of this rank: two limbs a voxel (WideValue), image after image
+  // Returns the sums of the centres of this rank, two limbs for each voxel (WideValue), image after
+  // image
   std::vector<std::int64_t> Sum(const std::function<void(double)>& progress) const
   {
     std::vector<std::int64_t> sums(2 * this->Grid.Size() * this->NumberOfImages, 0);
-    // Every thread goes through all pairs and takes slices of its own: no thread needs another
-    // image
+    // Every thread goes through all pairs and takes slices of its own, so that no thread needs
+    // another image
 #pragma omp parallel
     this->SumSlices(omp_get_thread_num(), omp_get_num_threads(), progress, sums);
     return sums;
@@ -295,7 +299,7 @@ private:
     }
   }
 
-  // The pairs of the centres [begin, end), and each of these with itself
+  // Adds the pairs of the centres [begin, end), and each of these centres with itself
   void AddCentres(std::size_t begin, std::size_t end, const Images& images, Ball& ball) const
   {
     const SpherePack& own = this->Share.Own;
@@ -329,13 +333,13 @@ private:
   const WeightedPairs& Weighted;
   const HalfGrid Grid;
   const double Spacing;
-  const double Scale; // from the overlap of a pair to what is summed
+  const double Scale; // from the overlap of a pair to the integers that are summed
   const Multiples Counts;
   const std::size_t NumberOfImages;
 };
 
-// The values on the whole grid from the sums of an image, `volumes` a unit of these. S_rm = c_r -
-// sum over s of S_rs, S_mm = 1 - 2 sum over r of c_r + sum over r, s of S_rs.
+// The values on the whole grid from the sums of an image, whose unit is `volumes`: S_rm = c_r - sum
+// over s of S_rs, and S_mm = 1 - 2 sum over r of c_r + sum over r, s of S_rs
 std::vector<double> WholeImage(const std::array<int, 2>& pair, const HalfGrid& grid,
   const std::int64_t* sums, double volumes, const std::vector<double>& fractions)
 {
@@ -347,7 +351,7 @@ std::vector<double> WholeImage(const std::array<int, 2>& pair, const HalfGrid& g
   const double factor = s == matrix && r < matrix ? -volumes : volumes;
   const std::size_t voxels = grid.Row() * grid.Slice(), centre = voxels / 2;
   std::vector<double> values(voxels);
-  // From the rows of the half grid up to the middle one, j < 0 first in slice 0
+  // Slice 0 has the rows up to the middle one, where j < 0 comes first
   for (std::size_t v = 0; v < grid.Size(); ++v)
   {
     const std::size_t inSlice = v % grid.Slice();
@@ -395,8 +399,8 @@ constexpr double SecondsPerPairAndVoxel = 2.5e-9;
 Estimate EstimateMap(const PackFigures& pack, double reach, int pairs, int resolution)
 {
   const double spacing = reach / resolution, contact = 2.0 * pack.MeanRadius;
-  const double voxels = SphereVolume(contact / spacing); // of a pair
-  // As many pairs as in a ball of the cube's volume
+  const double voxels = SphereVolume(contact / spacing); // that a pair overlaps
+  // There are as many pairs as in a ball of the cube's volume
   return { pack.PairsWithin(1.24 * (reach + contact)) *
       (SecondsPerPairOfMap + voxels * SecondsPerPairAndVoxel),
     24.0 * pairs * std::pow(2.0 * resolution + 1.0, 3) / BytesOfMegabyte, 0.0 };

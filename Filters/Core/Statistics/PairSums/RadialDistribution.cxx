@@ -30,8 +30,8 @@ RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGr
   RadialDistribution result{ lags, modes, {}, unset };
   result.Values.assign(modes * (modes + 1) / 2, unset);
 
-  const SizeClasses one(
-    (lags.Count + 0.5) * lags.Spacing); // distances of centres, whatever the radii
+  // Distances of centres count, whatever the radii
+  const SizeClasses one((lags.Count + 0.5) * lags.Spacing);
   const WeightedPairs pairs(share, one, ranks, "MaximumLag");
   const std::size_t size = result.Values.size() * bins;
   const std::vector<std::int64_t> sums = pairs.Sum(size, ranks, progress,
@@ -43,7 +43,7 @@ RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGr
         {
           const std::size_t bin = static_cast<std::size_t>(std::sqrt(d2) / lags.Spacing + 0.5);
           const int pair = result.PairOf(share.Own.Mode[a] - 1, part.Pack.Mode[b] - 1);
-          // the last bin's border may be rounded up
+          // A distance just inside the last bin may be rounded up
           own[pair * bins + std::min(bin, bins - 1)] += RoundToFixedPoint(pairs.Scale * weight);
         });
     });
@@ -58,7 +58,7 @@ RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGr
     {
       for (int s = r; s < modes; ++s)
       {
-        // Unordered pairs that were met against those there are
+        // The unordered pairs that were met are compared with those that there are
         const double number = r == s ? 0.5 * share.Count[r] * (share.Count[r] - 1.0)
                                      : double(share.Count[r]) * share.Count[s];
         const int pair = result.PairOf(r, s);

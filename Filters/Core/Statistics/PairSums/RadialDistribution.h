@@ -14,8 +14,8 @@ namespace ruc
 {
 /**
  * Radial distribution functions of the centres, in bins [r_k - Spacing / 2, r_k + Spacing / 2)
- * around the lags, the first one [0, Spacing / 2). No standard errors are given: one pack is one
- * sample, and its pairs are not independent of each other.
+ * around the lags; the first bin is [0, Spacing / 2). There are no standard errors, since one pack
+ * is one sample, and its pairs are not independent of each other.
  */
 struct RadialDistribution
 {
@@ -24,21 +24,26 @@ struct RadialDistribution
   std::vector<std::vector<double>> Values; // unordered pairs of modes: (1,1), (1,2), …, (2,2), …
   std::vector<double> Total;               // all centres, whatever their mode
 
-  /** Place in Values of modes counted from 0. */
+  /** The place in Values of a pair of modes, counted from 0. */
   int PairOf(int r, int s) const;
 };
 
 /**
- * Exact g_rs(r_k) = (sum over ordered pairs i in r, j in s, i != j, with d_ij in bin k of V /
- * gamma(d_ij)) / (N x shell_k / V): V is the volume of the window of the centres, gamma its set
- * covariance, shell_k the volume of the bin and N the number of ordered pairs of centres, N_r N_s
- * or N_r (N_r - 1). Centres placed independently have g = 1. Along periodic axes all images count,
- * those of the sphere itself too. NaN where N is 0.
+ * Returns the exact radial distribution functions
  *
- * Collective; the result is equal, bit by bit, on every rank and for any number of ranks and
- * threads. `progress` is told the share that is done, on the calling thread.
- * Throws std::invalid_argument, the same on every rank, for a number of lags out of range and
- * a last lag beyond LagLimit::ForDistances.
+ *     g_rs(r_k) = [sum over ordered pairs i in r, j in s, i != j, with d_ij in bin k,
+ *                  of V / gamma(d_ij)] / (N shell_k / V).
+ *
+ * V is the volume of the window of the centres, gamma its set covariance, shell_k the volume of the
+ * bin, and N the number of ordered pairs of centres, N_r N_s or N_r (N_r - 1). Centres placed
+ * independently have g = 1. Along periodic axes all images count, those of the sphere itself too. g
+ * is NaN where N is 0.
+ *
+ * The result is equal, bit by bit, on every rank and for any number of ranks and threads.
+ * `progress` is told the share that is done, on the calling thread. Collective.
+ *
+ * Throws std::invalid_argument, the same on every rank, for a number of lags out of range
+ * (CheckNumberOfLags) and for lags that LagLimit::ForDistances refuses.
  */
 RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGrid& lags,
   Communicator& ranks, const std::function<void(double)>& progress = {});

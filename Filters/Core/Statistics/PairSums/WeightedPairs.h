@@ -20,34 +20,42 @@ namespace ruc
 {
 /**
  * The pairs of a pack that are close enough to matter (SizeClasses), each with its weight V /
- * gamma(d) (V the volume of the window of the centres, gamma its set covariance), and how to add
- * them up in FixedPointSums.
+ * gamma(d), where V is the volume of the window of the centres and gamma its set covariance; and
+ * how to add them up in FixedPointSums.
  */
 class WeightedPairs
 {
 public:
   /**
-   * Collective; the heaviest weight is looked for among all pairs. Pairs with a displacement that
-   * is `rim` or more away from the cube of half edge `cube` around 0 are left out; all others must
-   * have a set covariance > 0. Throws std::invalid_argument, the same on every rank, where a sphere
-   * may have more than FixedPointSums::MostTerms others around it; `property` is what to blame.
+   * Looks for the heaviest weight among all pairs. Pairs with a displacement that is `rim` or more
+   * away from the cube of half edge `cube` around 0 are left out; all others must have a set
+   * covariance > 0. Throws std::invalid_argument, the same on every rank, where a sphere may have
+   * more than FixedPointSums::MostTerms others around it; the message blames `property`.
+   * Collective.
    */
   WeightedPairs(const PackShare& share, const SizeClasses& classes, Communicator& ranks,
     const char* property, double cube = std::numeric_limits<double>::infinity(), double rim = 1.0);
 
-  /** The same for all pairs closer than their reach, of which none weighs more than `heaviest`. */
+  /** The same for all pairs closer than their reach, none of which weighs more than `heaviest`. */
   WeightedPairs(const PackShare& share, const SizeClasses& classes, double heaviest,
     Communicator& ranks, const char* property);
 
   PairNeighbourhood Pairs;
-  /** Twice the weight of any pair of any rank times Scale is at most 2^FixedPointSums::TermBits. */
+  /**
+   * The factor that makes weights integers: twice the weight of any pair of any rank times Scale is
+   * at most 2^FixedPointSums::TermBits.
+   */
   double Scale;
-  /** Own centres to be taken between two calls of FixedPointSums::Take(Terms), if each pair, and
-   * each centre with itself, adds at most that once to a sum. */
+  /**
+   * How many own centres are taken between two calls of FixedPointSums::Take(Terms), if each pair,
+   * and each centre with itself, adds at most that once to a sum.
+   */
   std::size_t Step;
   std::int64_t Terms;
 
-  /** Calls visit(i, part, j, d, d2, weight), as PairNeighbourhood::ForEachPair does. */
+  /**
+   * Calls visit(i, part, j, d, d2, weight) for every pair, as PairNeighbourhood::ForEachPair does.
+   */
   template <class Visit>
   void ForEach(std::size_t begin, std::size_t end, Visit&& visit) const
   {
@@ -67,9 +75,9 @@ public:
   }
 
   /**
-   * Collective: `size` numbers summed over the own centres of all ranks, two limbs each
-   * (WideValue). add(begin, end, sums) adds those of the places [begin, end) on any thread;
-   * `progress` is told the share that is done, on the calling thread.
+   * Returns `size` numbers summed over the own centres of all ranks, two limbs each (WideValue).
+   * add(begin, end, sums) adds those of the places [begin, end), on any thread. `progress` is told
+   * the share that is done, on the calling thread. Collective.
    */
   template <class Add>
   std::vector<std::int64_t> Sum(std::size_t size, Communicator& ranks,
@@ -112,9 +120,12 @@ private:
   bool Periodic;
 };
 
-/** Seconds that a pair takes to be found and handed out by ForEach. */
+/** The seconds that it takes to find a pair and hand it out by ForEach. */
 constexpr double SecondsPerWeightedPair = 25e-9;
 
-/** At how many lags two spheres at rest overlap with one of them moved. */
+/**
+ * The number of lags at which two spheres overlap when one of them is moved by the lag, at most
+ * that of all lags.
+ */
 double LagsOfPair(const PackFigures& pack, const LagGrid& lags);
 }

@@ -16,7 +16,7 @@ void CheckNumberOfLags(int modes, const LagGrid& lags)
     throw std::invalid_argument(
       Text("NumberOfLags requires 1 <= NumberOfLags <= ", MostLags, ", got ", lags.Count, "."));
   }
-  constexpr double mostNumbers = 5e7; // of all functions, 400 MB
+  constexpr double mostNumbers = 5e7; // in all functions, 400 MB
   const double pairs = PairsOfPhases(modes);
   if (pairs * (lags.Count + 1.0) > mostNumbers)
   {

@@ -6,10 +6,10 @@
 
 namespace ruc
 {
-/** More lags than this are refused. */
+/** The largest number of lags. */
 constexpr int MostLags = 100000;
 
-/** The lags r_k = k Spacing, k = 0 to Count. */
+/** The lags r_k = k Spacing for k = 0 to Count. The paper's K is Count. */
 struct LagGrid
 {
   double Spacing;
@@ -24,6 +24,9 @@ struct LagGrid
   }
 };
 
-/** Throws std::invalid_argument for a number of lags, or of all numbers of S_rs, out of range. */
+/**
+ * Throws std::invalid_argument unless the number of lags is from 1 to MostLags and all functions
+ * S_rs together have at most 5e7 numbers.
+ */
 void CheckNumberOfLags(int modes, const LagGrid& lags);
 }

@@ -33,7 +33,7 @@ double LargestReach(const Window& window, double largestRadius)
   {
     return LargestPairLag(window, largestRadius);
   }
-  // The corners of the cube reach farthest, along the axis and across it
+  // The corners of the cube reach farthest, both along the axis and across it
   double along = 0.0, across = 0.0;
   for (int corner = 0; corner < 4; ++corner)
   {
@@ -88,7 +88,7 @@ LagLimit LagLimit::ForMap(const Window& window, double largestRadius, double lag
 
 LagLimit LagLimit::ForDistances(const Window& window, int numberOfLags)
 {
-  // r_K + Spacing / 2 = r_K (1 + 1 / 2K) is the last distance
+  // The last distance is r_K + Spacing / 2 = r_K (1 + 1 / 2K)
   return { 0.5 * window.ShortestEdge(), LargestPairLag(window, 0.0) / (1.0 + 0.5 / numberOfLags),
     window.ShortestEdge(),
     Text(" for distances of centres in this ", window.Describe(), " in ", numberOfLags, " bins") };

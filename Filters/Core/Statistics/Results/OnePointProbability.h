@@ -9,9 +9,9 @@
 namespace ruc
 {
 /**
- * Volume fractions c_r of the modes 1…N_p and, last, of the matrix: the volume of the spheres with
- * centres in the window over that of the window, c_m = 1 - sum c_r. Of the whole pack, the same on
- * every rank.
+ * Returns the volume fractions c_r of the modes 1…N_p and, last, of the matrix. A mode's fraction
+ * is the volume of its spheres with centres in the window over that of the window, and c_m = 1 -
+ * sum c_r. They are those of the whole pack, the same on every rank.
  */
 std::vector<double> OnePointProbability(const PackTotals& pack);
 }

@@ -11,7 +11,7 @@ namespace ruc
 {
 namespace
 {
-// Returns the standard deviation
+// Sets the mean, and returns the standard deviation
 double MeanAndDeviation(const std::vector<double>& values, double& mean)
 {
   const double count = static_cast<double>(values.size());

@@ -12,7 +12,8 @@ namespace ruc
 {
 namespace
 {
-// More chords of one phase are not to be met on a line; a power of 2 keeps their counts exact.
+// A line is not to be expected to meet more chords of one phase. A power of 2 keeps their counts
+// exact.
 constexpr double MostChords = 65536.0;
 
 double Positive(double x)
@@ -44,7 +45,7 @@ void ChordLengthSums::AddLine(const std::vector<PhaseChange>& changes,
 {
   const int lags = this->Lags.Count;
   const int outside = this->Phases;
-  // Of an interval of this length the part that is left after a step of each lag
+  // Adds for every lag the part of an interval from which a step of that lag stays inside
   const auto addPath = [&](double length, int row)
   {
     double* differences = batch.Paths.data() + static_cast<std::size_t>(row) * (lags + 2);
@@ -60,7 +61,7 @@ void ChordLengthSums::AddLine(const std::vector<PhaseChange>& changes,
   {
     const double length = interval.End - interval.Begin;
     addPath(length, outside);
-    double left = length; // at the lower end of the bin
+    double left = length; // (l - z)+ at the lower end of the bin
     for (int k = 0; k <= lags && left > 0.0; ++k)
     {
       const double after = Positive(length - (k + 0.5) * this->Lags.Spacing);

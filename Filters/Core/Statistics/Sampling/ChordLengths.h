@@ -12,19 +12,25 @@
 namespace ruc
 {
 /**
- * Chord-length functions of every phase (modes from 0, the matrix last), at the lags r_k. A chord
- * is a longest interval of a line in one phase. L is the length of the lines in the region, pooled.
+ * Chord-length functions of every phase (modes from 0, the matrix last), at the lags r_k, pooled
+ * over all lines. A chord is a longest interval of a line in one phase (Torquato, Random
+ * Heterogeneous Materials, Springer 2002, chapter 2). Errors are standard errors in the unit of
+ * their function.
  *
- * Density: chord-length probability density p_r(r_k), in 1 / length, the mean over the bin of width
- * Spacing around r_k (half of that at r_0). It counts chords with both ends inside, and corrects
- * for those a line of finite length cannot hold: their number per length is sum of chords in bin /
- * (integral over bin of sum of (l - z)+), l the lengths of the lines; divided by the number of
- * chords per length. Its standard error takes the latter as exact.
- * LinealPath: lineal-path function L_r(r_k), the probability that a segment of length r_k lies in
- * phase r: sum of (c - r_k)+ over all chords, cut ones included / sum of (l - r_k)+. L_r(0) = c_r.
- * MeanChord: c_r / (number of chords per length), the latter from the ends of chords inside,
- * halved; unbiased, unlike a mean over chords with both ends inside. NaN without any end, as is
- * Density.
+ * Density is the chord-length probability density p_r(r_k), in 1 / length: its mean over the bin of
+ * width Spacing around r_k (half of that at r_0). It counts chords with both ends inside, and
+ * corrects for those that a line of finite length cannot hold. The number of such chords per length
+ * is the sum of chords in the bin over the integral over the bin of the sum of (l - z)+, where l
+ * are the lengths of the lines; it is divided by the number of all chords per length. The standard
+ * error takes this divisor as exact.
+ *
+ * LinealPath is the lineal-path function L_r(r_k), the probability that a segment of length r_k
+ * lies in phase r: the sum of (c - r_k)+ over all chords c, cut ones included, over the sum of (l -
+ * r_k)+. L_r(0) = c_r.
+ *
+ * MeanChord is c_r over the number of chords per length, which is half the number of ends of chords
+ * inside. It is unbiased, unlike a mean over chords with both ends inside. It is NaN where there is
+ * no end, and so is Density.
  */
 struct ChordLengths
 {
@@ -33,25 +39,33 @@ struct ChordLengths
   std::vector<double> MeanChord;
 };
 
-/** The sums over batches of lines behind ChordLengths; at least one lag. */
+/** The sums over batches of lines behind ChordLengths. There is at least one lag. */
 class ChordLengthSums
 {
 public:
-  /** No line is longer than `longest`, no batch has more than `mostLines`. */
+  /**
+   * `longest` is an upper bound of the length of a line, and `mostLines` of the number of lines in
+   * a batch.
+   */
   ChordLengthSums(int modes, const LagGrid& lags, double longest, double mostLines);
 
   /** What one batch adds up, on one thread. */
   struct Batch
   {
-    std::vector<double> Paths;       // (phases + 1) x (K + 2), the lines themselves last
-    std::vector<double> Counts;      // phases x (K + 1): chords with both ends inside
-    std::vector<double> Opportunity; // K + 1: integral over the bin of sum of (l - z)+
-    std::vector<double> Ends;        // phases: ends of chords inside, halved
+    /** Second differences of the sum of (c - r)+: (phases + 1) x (K + 2) numbers, of which the last
+     * row is for the lines themselves. */
+    std::vector<double> Paths;
+    /** The number of chords with both ends inside in every bin: phases x (K + 1). */
+    std::vector<double> Counts;
+    /** The integral over every bin of the sum of (l - z)+: K + 1. */
+    std::vector<double> Opportunity;
+    /** Half the number of ends of chords inside, for every phase. */
+    std::vector<double> Ends;
   };
   Batch NewBatch() const;
   void AddLine(const std::vector<PhaseChange>& changes, const std::vector<LineInterval>& inside,
     Batch& batch) const;
-  /** Empties the batch. Safe to be called concurrently. */
+  /** Adds a batch and empties it. May run concurrently. */
   void AddBatch(Batch& batch);
 
   std::vector<SampledRatios*> GetRatios() { return { &this->Counts, &this->Paths, &this->Ends }; }

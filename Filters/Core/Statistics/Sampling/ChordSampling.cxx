@@ -16,14 +16,14 @@ namespace ruc
 namespace
 {
 constexpr SampleNames LineNames = { "NumberOfLines", "lines" };
-// Of the square grid around a region, many more than meet it where it is long and thin; each takes
-// 4 bytes
+// The most places of the square grid around a region, of which many more than meet the region are
+// needed where it is long and thin; each takes 4 bytes
 constexpr double MostPlacesOfGrid = 2.5e7;
-// The closer the lines of a batch, the less they say for each; the fewer the batches, the less is
-// known of their scatter
+// The closer the lines of a batch are, the less each of them tells; the fewer the batches, the less
+// is known about their scatter
 constexpr int LinesInAimedBatch = 512, MostLinesInBatch = 4096;
 
-// Batches of parallel lines that all ranks trace through their own spheres; the hits of a batch
+// Batches of parallel lines. All ranks trace them through their own spheres; the hits of a batch
 // come together on the rank that owns it, batch % ranks.
 class ChordSampler
 {
@@ -39,7 +39,7 @@ public:
   {
   }
 
-  // Lines along a direction instead of isotropic ones
+  // Takes lines along a direction instead of isotropic ones
   void SetDirection(const Vector3& direction, std::uint32_t set)
   {
     this->Direction = direction;
@@ -63,7 +63,7 @@ public:
     {
       lengths.emplace(this->Modes, this->Lags, longest, mostLines);
     }
-    // Some 10 MB of hits where a line meets 100 spheres
+    // These are some 10 MB of hits where a line meets 100 spheres
     const int batchesAtOnce = std::max(MostLinesInBatch / linesInBatch, 2 * this->Ranks.Size());
     this->Drawn = 0;
     SampledTwoPoint result = TakeSamples(this->Settings, LineNames, linesInBatch, batchesAtOnce,
@@ -97,7 +97,8 @@ private:
     return most;
   }
 
-  // Lines much closer to each other than the spheres tell the same; more directions tell more.
+  // Lines that are much closer to each other than the spheres tell the same, while more directions
+  // tell more
   int UsefulLinesInBatch() const
   {
     std::int64_t spheres = static_cast<std::int64_t>(this->Own.Size());
@@ -108,7 +109,7 @@ private:
       std::clamp(this->Region.LinesOfSpacing(distance), 1.0, double(MostLinesInBatch)));
   }
 
-  // The lines of a batch and the spheres they meet
+  // The lines of a batch and the spheres that they meet
   struct Batch
   {
     std::vector<SampleLine> Lines;
@@ -154,7 +155,8 @@ private:
     }
   }
 
-  // Sends the hits of a line as their number, then three numbers each
+  // Sends the hits of every line to the owner of its batch: their number, then three numbers for
+  // each
   void Gather(const BatchRange& range)
   {
     const int size = this->Ranks.Size(), own = this->Ranks.Rank();
@@ -244,8 +246,8 @@ private:
   std::optional<Vector3> Direction;
   std::uint32_t Set = 0;
   double LinesInBatch = 0.0;  // in the mean
-  std::int64_t Drawn = 0;     // lines so far
-  std::vector<Batch> Batches; // in hand
+  std::int64_t Drawn = 0;     // how many lines were drawn so far
+  std::vector<Batch> Batches; // those in hand
 };
 }
 
@@ -289,11 +291,11 @@ std::vector<SampledTwoPoint> SampleChordsAlong(const std::vector<Vector3>& direc
 
 namespace
 {
-constexpr double SecondsPerSphereAndBatch = 4e-8; // projected onto the grid of lines
-constexpr double SecondsPerHit = 110e-9;          // of a line by a sphere
-constexpr double SecondsPerPairOfChanges = 7e-9;  // of phases on a line
+constexpr double SecondsPerSphereAndBatch = 4e-8; // to project a sphere onto the grid of lines
+constexpr double SecondsPerHit = 110e-9;          // for a sphere that a line meets
+constexpr double SecondsPerPairOfChanges = 7e-9;  // for two phase changes on a line
 
-// Pairs of phase changes on a line up to `lag` apart: two for a sphere
+// The number of pairs of phase changes up to `lag` apart on a line; a sphere makes two changes
 double PairsOfChanges(double hits, double length, double lag)
 {
   const double reach = std::min(lag / length, 1.0);
@@ -303,12 +305,13 @@ double PairsOfChanges(double hits, double length, double lag)
 
 Estimate EstimateChords(const PackFigures& pack, const LagGrid& lags, double lines)
 {
-  // The mean chord of a cube, 4 volumes over the surface; and a periodic line with its last lag
+  // The mean chord of a cube is 4 volumes over its surface; a periodic line crosses the box and has
+  // the last lag besides
   const double edge = std::cbrt(pack.Observed.Volume());
   const double length = pack.Observed.IsFullyPeriodic() ? edge + lags.Maximum() : 2.0 / 3.0 * edge;
   const double hits = pack.HitsOn(length);
   const double ordered = (pack.Modes + 1.0) * (pack.Modes + 1.0);
-  // As many lines in a batch as spheres lie side by side
+  // A batch has as many lines as spheres lie side by side
   const double ofBatch =
     std::clamp(1.8 * std::pow(pack.Spheres, 2.0 / 3.0), 1.0, 1.0 * MostLinesInBatch);
   const double batches = std::max(lines / ofBatch, 1.0 * FewestBatches);

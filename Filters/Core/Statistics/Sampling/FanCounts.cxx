@@ -118,8 +118,8 @@ void FanCounts::AddBatch(std::int64_t batch, const TracedFan* first, std::int64_
   }
 }
 
-// The pairs of rays of a throw at the angle t. Where both points have one phase, the pairs of two
-// different rays are half of all; the other half is their transpose.
+// Adds the pairs of rays of a throw at the angle t. Where both points have the same phase, the
+// pairs of two different rays are half of all; the other half is their transpose.
 void FanCounts::AddPairs(const TracedFan& fan, Table& table, int t) const
 {
   const int rays = this->Grid.Directions;
@@ -136,7 +136,7 @@ void FanCounts::AddPairs(const TracedFan& fan, Table& table, int t) const
   }
 }
 
-// Every pair of intervals is a rectangle, whose corners have the signs + - - +
+// Adds a rectangle, whose corners have the signs + - - +, for every pair of intervals
 void FanCounts::AddRectangles(
   const TracedFan& fan, int ray1, int list1, int ray2, int list2, std::int32_t* slice) const
 {
@@ -183,7 +183,7 @@ void FanCounts::AddSlice(std::size_t n, int t, std::int64_t throws)
   }
 }
 
-// Adds N_b D_b of a slice
+// Adds N_b D_b for a slice
 void FanCounts::AddProducts(
   const std::int32_t* number, int t, std::int64_t throws, std::int64_t* products) const
 {
@@ -197,7 +197,7 @@ void FanCounts::AddProducts(
   }
 }
 
-// What third-order parameters are made of, of a batch by itself
+// Finds what third-order parameters are made of for a batch by itself
 void FanCounts::FindIntegrals(std::int64_t batch, std::int64_t throws)
 {
   for (std::size_t n = 0; n < this->Counts.Triples.size(); ++n)
@@ -215,7 +215,7 @@ void FanCounts::FindIntegrals(std::int64_t batch, std::int64_t throws)
         : throws * this->Grid.RayPairs(static_cast<int>(place / this->Grid.SliceSize()));
     };
     const double fraction = number[0] / denominator(0);
-    // Where a batch knows nothing, far apart, points are independent
+    // Where a batch has no points, which are then far apart, they are taken as independent
     const double apart = fraction * fraction * fraction;
     integrals[batch] = this->Rule.Integrate(fraction,
       [&](std::size_t place)
@@ -265,7 +265,7 @@ void FanCounts::FinishSums(
   }
 }
 
-// From second differences to counts
+// Turns second differences into counts
 template <class Number>
 void FanCounts::FinishSlice(Number* numbers, bool symmetric, int t) const
 {

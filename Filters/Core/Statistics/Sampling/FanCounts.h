@@ -14,36 +14,43 @@
 namespace ruc
 {
 /**
- * Counts the pairs of points of traced fans, a batch of throws after the other. A pair of intervals
- * of two rays is a rectangle of the (r1, r2) grid, four corners in a table of second differences,
- * which is summed up once: for every batch where standard errors are wanted, which need the counts
- * of each, and else at the end of all.
+ * Counts the pairs of points of traced fans, one batch of throws after the other. A pair of
+ * intervals of two rays is a rectangle of the (r1, r2) grid, which takes four corners in a table of
+ * second differences. Each table is summed up once: for every batch where standard errors are
+ * wanted, which need the counts of each batch, and else after all batches.
  */
 class FanCounts
 {
 public:
-  /** Counts `triples`, all different and with s <= q. `lags` is kept as a reference. */
+  /**
+   * Counts `triples`, which all differ and have s <= q, in up to `batches` batches. `lags` is kept
+   * as a reference.
+   */
   FanCounts(const FanLags& lags, const ThreePointGrid& grid, int modes,
     const std::vector<PhaseTriple>& triples, bool withErrors, std::int64_t batches);
 
-  /** Counts the fans from `first` on, of which FanLags::Find knows the lags, as a batch. Each batch
-   * is counted by one rank. */
+  /**
+   * Counts the fans from `first` on as a batch, once FanLags::Find knows their lags. Each batch is
+   * counted by one rank.
+   */
   void AddBatch(std::int64_t batch, const TracedFan* first, std::int64_t fans);
 
-  /** The counts of all ranks, `batches` of them with so many throws, and so many squared and
-   * summed. Collective; nothing is left here. */
+  /**
+   * Returns the counts of all ranks, from `batches` batches with `throws` throws; `throwsSquares`
+   * is the sum over batches of the squared number of throws. Nothing is left here. Collective.
+   */
   ThreePointCounts Finish(
     std::int64_t batches, std::int64_t throws, std::int64_t throwsSquares, Communicator& ranks);
 
 private:
   static constexpr int AnyPhase = -1;
 
-  // The counts of a batch for one triple, or last of the points in the region. Until it is finished
-  // it holds second differences.
+  // The counts of a batch for one triple, or, in the last table, of the points in the region. Until
+  // the batch is finished, it holds second differences.
   struct Table
   {
     int CentrePhase;
-    int First, Second; // lists of the phases s and q
+    int First, Second; // the lists of FanLags for the phases s and q
     std::vector<std::int32_t> Batch;
 
     bool IsSymmetric() const { return this->First == this->Second; }
@@ -66,7 +73,7 @@ private:
   const FanLags& Lags;
   ThreePointGrid Grid;
   ThirdOrderRule Rule;
-  std::vector<Table> Tables; // of Counts.Triples; with a border the last is of the region
+  std::vector<Table> Tables; // one for each of Counts.Triples, and one for a region with a border
   ThreePointCounts Counts;
 };
 }

@@ -9,7 +9,7 @@ namespace ruc
 {
 namespace
 {
-// The first lag at or after a position on a ray, at most one beyond the last
+// The first lag at or after a position on a ray, or one beyond the last lag
 int FirstLag(double position, const LagGrid& lags)
 {
   const double lag = std::ceil(position / lags.Spacing);

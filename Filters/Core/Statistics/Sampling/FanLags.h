@@ -14,9 +14,9 @@
 namespace ruc
 {
 /**
- * A fan that was traced through the spheres of a pack: on every ray there are lists of the lags in
- * one phase or another. Along the ray the phase begins at the first lag of its list and ends before
- * the second, and so on; an end beyond the last lag of all is left out.
+ * A fan that was traced through the spheres of a pack. Every ray has lists of the lags in one phase
+ * or another. Along the ray, the phase begins at the first lag of its list and ends before the
+ * second, begins again at the third, and so on. An end beyond the last lag of all is left out.
  */
 struct TracedFan
 {
@@ -24,7 +24,8 @@ struct TracedFan
   std::vector<RayHit> Hits;
   int Phase = 0; // of the centre
   std::vector<std::int32_t> Lags;
-  std::vector<std::int32_t> Begin; // in Lags of list l of ray i, at i lists + l, and the end
+  /** Where each list begins in Lags, and the end: list l of ray i at i x lists + l. */
+  std::vector<std::int32_t> Begin;
 };
 
 /** Finds the lags of traced fans. */
@@ -32,9 +33,9 @@ class FanLags
 {
 public:
   /**
-   * There is a list for every phase that is s or q in one of the triples and, where the region has
-   * a border, one more, the last, of the lags in the region. Rays have a length of half a spacing
-   * beyond the last lag. The region and `rays` are kept as references.
+   * There is a list for every phase that is s or q in one of the triples, and, where the region has
+   * a border, a last one for the lags in the region. Rays reach half a spacing beyond the last lag.
+   * The region and `rays` are kept as references.
    */
   FanLags(const SamplingRegion& region, const RayDirections& rays, const LagGrid& lags, int modes,
     const std::vector<PhaseTriple>& triples);
@@ -42,20 +43,20 @@ public:
   bool IsBounded() const { return !this->Region.IsFullyPeriodic(); }
   /** The length of a ray. */
   double Length() const { return (this->Lags.Count + 0.5) * this->Lags.Spacing; }
-  /** Lists on every ray. */
+  /** The number of lists on every ray. */
   int Lists() const { return this->ListsOfPhases + (this->IsBounded() ? 1 : 0); }
   int ListOf(int phase) const { return this->ListOfPhase[phase]; }
   int ListOfRegion() const { return this->ListsOfPhases; }
 
-  /** What Find needs for one ray after the other; each thread has its own. */
+  /** Memory that Find uses for one ray after the other. Each thread has its own. */
   struct Scratch
   {
-    std::vector<std::vector<SphereHit>> Hits; // of every ray
+    std::vector<std::vector<SphereHit>> Hits; // for every ray
     std::vector<LineInterval> Inside;
     std::vector<PhaseChange> Changes;
   };
 
-  /** From the hits of a fan to its lags and the phase of its centre. May run concurrently. */
+  /** Finds the lags of a fan and the phase of its centre from its hits. May run concurrently. */
   void Find(TracedFan& fan, Scratch& scratch) const;
 
 private:

@@ -15,13 +15,13 @@ namespace ruc
 {
 namespace
 {
-// At 2^31 throws there are 2^21 batches, and with up to 2^9 rays no N_b exceeds 2^20: sums of
-// squares stay below 2^61
+// With 2^31 throws there are 2^21 batches, and with up to 2^9 rays no N_b exceeds 2^20, so that
+// sums of squares stay below 2^61
 constexpr int MostThrowsInBatch = 1024, FewestBatchesForErrors = 64, FewestBatchesForRanks = 16,
               MostFanLags = 20000;
 constexpr std::int64_t MostThrows = std::int64_t(1) << 31;
 
-// The different ones, with s <= q
+// Returns the different triples, with s <= q
 std::vector<PhaseTriple> Different(const std::vector<PhaseTriple>& triples)
 {
   std::vector<PhaseTriple> different;
@@ -49,7 +49,7 @@ struct ThrowBatches
     this->Number = (this->Throws + this->Size - 1) / this->Size;
   }
 
-  // Of a batch
+  // The throws of a batch are First to End - 1
   std::int64_t First(std::int64_t batch) const { return batch * this->Size; }
   std::int64_t End(std::int64_t batch) const
   {
@@ -59,7 +59,7 @@ struct ThrowBatches
   std::int64_t Throws, Size, Number;
 };
 
-// What is sent of the hits of a throw: their number, then four numbers each
+// Packs the hits of a throw for another rank: their number, then four numbers for each
 void Pack(const std::vector<RayHit>& hits, std::vector<double>& parcel)
 {
   parcel.push_back(static_cast<double>(hits.size()));
@@ -82,8 +82,8 @@ const double* Unpack(const double* number, std::vector<RayHit>& hits)
   return number;
 }
 
-// Throws fans in rounds of one batch a rank: traced by all ranks through their own spheres, counted
-// by the rank whose batch it is
+// Throws fans in rounds of one batch for each rank. All ranks trace them through their own spheres,
+// and each counts its own batch.
 class FanSampler
 {
 public:
@@ -124,7 +124,7 @@ public:
   }
 
 private:
-  // Batches first to end - 1, one for each rank, through the spheres of this rank
+  // Traces the batches first to end - 1, one for each rank, through the spheres of this rank
   void Trace(std::int64_t first, std::int64_t end)
   {
     const std::int64_t sample = this->Batches.First(first);
@@ -140,7 +140,7 @@ private:
     }
   }
 
-  // The fans in hand that a rank counts
+  // Calls visit(fan) for the fans in hand that a rank counts
   template <class Visit>
   void ForEachFanOf(int rank, Visit&& visit)
   {
@@ -152,7 +152,7 @@ private:
     }
   }
 
-  // Sends the hits of a throw to the rank that counts it
+  // Sends the hits of every throw to the rank that counts it
   void Gather(std::int64_t first, std::int64_t end)
   {
     const int own = this->Ranks.Rank(), size = this->Ranks.Size();
@@ -179,7 +179,7 @@ private:
     }
   }
 
-  // The batch of this rank, if it has one
+  // Counts the batch of this rank, if it has one
   void CountOwn(std::int64_t first, std::int64_t end)
   {
     const std::int64_t batch = first + this->Ranks.Rank();
@@ -209,14 +209,14 @@ private:
   const FanLags Lags;
   const FanTracer Tracer;
   FanCounts Counts;
-  std::vector<TracedFan> Fans; // in hand
+  std::vector<TracedFan> Fans; // those in hand
 };
 }
 
 double EstimateFanMemory(
   const ThreePointGrid& grid, std::size_t triples, bool withErrors, bool bounded)
 {
-  // A batch in 32 bits and the sums in 64, of every triple and of the points in the region
+  // Each triple, and the points in the region, have a batch in 32 bits and sums in 64
   const double sums = 4.0 + 8.0 * (withErrors ? 3 : 1), inside = 4.0 + 8.0 * (withErrors ? 2 : 1);
   return static_cast<double>(grid.Size()) * (triples * sums + (bounded ? inside : 0.0));
 }
@@ -254,7 +254,7 @@ namespace
 {
 constexpr double SecondsPerRayHit = 3.5e-7;
 constexpr double SecondsPerPairOfIntervals = 1.4e-9; // on two rays of a fan
-constexpr double SecondsPerGridEntry = 1e-9;         // of S_rsq, a batch
+constexpr double SecondsPerGridEntry = 1e-9;         // for an entry of S_rsq in a batch
 constexpr int FewestBatchesOfFans = 32;
 }
 
@@ -263,7 +263,7 @@ Estimate EstimateFans(const PackFigures& pack, const ThreePointGrid& grid, std::
 {
   const double rays = grid.Directions;
   const double hits = pack.HitsOn(grid.Lags.Maximum());
-  // Intervals of a phase on a ray; the rays of a pair at every angle once
+  // The number of intervals of a phase on a ray; every pair of rays counts once
   const double intervals = hits + 1.0;
   const double ofThrow = rays * hits * SecondsPerRayHit +
     static_cast<double>(triples) * 0.5 * rays * rays * intervals * intervals *

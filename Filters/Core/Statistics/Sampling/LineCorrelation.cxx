@@ -30,14 +30,15 @@ double* LineCorrelation::NewRow(double*& row)
 
 void LineCorrelation::AddLine(const std::vector<PhaseChange>& changes)
 {
-  // With the indicator function I_r of a phase on the line, C_rs'' at the lag p is - the sum over
-  // all pairs of phase changes p apart of (jump of I_r at the first) x (jump of I_s at the second).
+  // With the indicator function I_r of a phase on the line, C_rs'' at the lag p is minus the sum,
+  // over all pairs of phase changes p apart, of (jump of I_r at the first) x (jump of I_s at the
+  // second).
   const int outside = this->States - 1;
   const double scale = 1.0 / this->Unit;
   for (std::size_t i = 0; i < changes.size(); ++i)
   {
     const int before = changes[i].Before, after = changes[i].After;
-    // A change with itself: half of the kink at lag 0, which is all of it for lags >= 0
+    // A change with itself adds half of the kink at lag 0, which is all of it for lags >= 0
     if (before != outside)
     {
       AddRamp(-1.0, 0.0, this->RowOf(before, before));

@@ -11,9 +11,10 @@
 namespace ruc
 {
 /**
- * C_rs(r_k) summed over lines: the length of the x on the line with x in phase r and x + r_k n in
- * phase s. As a function of the lag it is piecewise linear, with a change of slope for every pair
- * of phase changes; these are what is added up, as second differences on the lags.
+ * C_rs(r_k) summed over lines: the length of those x on a line with x in phase r and x + r_k n in
+ * phase s, n being the direction of the line. As a function of the lag it is piecewise linear, with
+ * a change of slope for every pair of phase changes. These changes of slope are what is added up,
+ * as second differences on the lags.
  */
 class LineCorrelation
 {
@@ -22,7 +23,10 @@ public:
 
   void AddLine(const std::vector<PhaseChange>& changes);
 
-  /** C_rs of all ordered pairs, as SampledSums::AddBatch takes them; valid until Clear. */
+  /**
+   * Returns C_rs of all ordered pairs of phases, as SampledSums::AddBatch takes them; valid until
+   * Clear.
+   */
   const std::vector<const double*>& Finish();
 
   /** Begins anew. */
@@ -36,12 +40,12 @@ private:
   }
   double* NewRow(double*& row);
 
-  int States; // phases and the outside
+  int States; // the number of phases, and one for the outside
   int Lags;
-  double Unit;               // of length
+  double Unit;               // the unit of length
   std::vector<double*> Rows; // second differences of each ordered pair of states met so far
   std::vector<std::vector<double>> Storage;
-  std::size_t Used = 0; // of the storage
+  std::size_t Used = 0; // how many rows of Storage are in use
   std::vector<const double*> Correlations;
 };
 }

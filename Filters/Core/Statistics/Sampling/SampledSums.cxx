@@ -66,7 +66,7 @@ void SampledRatios::BeginRound(const Communicator& communicator, std::int64_t ba
   {
     for (std::int64_t& sum : *sums)
     {
-      // One rank goes on from the sums that all had in common.
+      // Only rank 0 goes on from the sums that all ranks have in common.
       sum = communicator.Rank() != 0 ? 0 : drop > 0 ? ((sum >> (drop - 1)) + 1) >> 1 : sum;
     }
   }
@@ -270,8 +270,8 @@ int SamplesInBatch(const SamplingSettings& settings, int most)
 
 namespace
 {
-// Takes the batches of a round that are not taken yet; false where it was stopped, range.Samples
-// being those taken by then. `expected`: the samples of all rounds.
+// Takes the batches of a round that are not taken yet. Returns false where it was stopped;
+// range.Samples are then those taken so far. `expected` is the number of samples in all rounds.
 bool TakeRound(BatchRange& range, int batchesAtOnce, double expected, const SampleNames& names,
   Communicator& communicator, const SamplingProgress& progress,
   const std::function<void(const BatchRange&)>& take)
@@ -293,7 +293,7 @@ bool TakeRound(BatchRange& range, int batchesAtOnce, double expected, const Samp
   return true;
 }
 
-// How many samples the target takes, as far as the samples taken tell
+// How many samples the target takes, judged by the samples taken so far
 double SamplesForTarget(const SampledTwoPoint& result, double targetError, const SampleNames& names)
 {
   for (int k = 0; k <= result.Mean.Lags.Count; ++k)
@@ -351,7 +351,8 @@ SampledTwoPoint TakeSamples(const SamplingSettings& settings, const SampleNames&
       return result;
     }
     expected = SamplesForTarget(result, settings.TargetError, names);
-    // Early errors are themselves uncertain: not too far at once, nor in too many small steps
+    // Early errors are themselves uncertain, so a round goes neither too far at once nor in too
+    // small steps
     const double next = std::clamp(1.02 * expected, 1.05 * range.Samples, 8.0 * range.Samples);
     range.Samples = range.SamplesInBatch *
       static_cast<std::int64_t>(std::ceil(std::min(next, MostSamples) / range.SamplesInBatch));

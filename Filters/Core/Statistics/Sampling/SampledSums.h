@@ -17,73 +17,91 @@
 
 namespace ruc
 {
-/** S_rs by sampling, with its standard errors. */
+/** S_rs by sampling, with its standard errors, which are absolute probabilities as S_rs is. */
 struct SampledTwoPoint
 {
-  TwoPointProbability Mean;                // Fractions are S_rr(0)
-  std::vector<std::vector<double>> Errors; // standard errors, in the layout of Mean.Values
-  std::vector<double> FractionErrors;      // of Mean.Fractions
-  // Of every pair || C_rs / D - C_sr / D || / (mean of the two norms), equation (9); 0 for r = s
+  /** The estimate; its Fractions are S_rr(0). */
+  TwoPointProbability Mean;
+  /** Standard errors, in the layout of Mean.Values. */
+  std::vector<std::vector<double>> Errors;
+  /** Standard errors of Mean.Fractions. */
+  std::vector<double> FractionErrors;
+  /** For every pair || C_rs / D - C_sr / D || over the mean of the two norms, as in equation (9)
+   * but for the divisor; 0 for r = s. */
   std::vector<double> Asymmetry;
-  std::int64_t Samples = 0; // lines or throws taken
-  // The sum over all N^2 ordered pairs of the discrete norm of Errors (k = 1…K); for K = 0 the sum
-  // of FractionErrors
+  /** The number of lines or throws taken. */
+  std::int64_t Samples = 0;
+  /** The sum over all N^2 ordered pairs of the discrete norm of Errors (k = 1…K); for K = 0 the sum
+   * of FractionErrors. */
   double TotalError = 0.0;
-  bool Stopped = false; // before there were as many as wanted
+  /** Whether sampling was stopped before there were as many samples as wanted. */
+  bool Stopped = false;
 };
 
+/** Settings of all methods that sample S_rs. */
 struct SamplingSettings
 {
   std::uint32_t Seed = 1;
-  std::int64_t Samples = 0; // lines or throws, 1 to 2^31; ignored when TargetError > 0
-  double TargetError = 0.0; // > 0: samples are added until TotalError <= TargetError
+  /** The number of lines or throws, from 1 to 2^31. It is ignored when TargetError > 0. */
+  std::int64_t Samples = 0;
+  /** Where this is > 0, samples are added until TotalError <= TargetError. */
+  double TargetError = 0.0;
 };
 
 /**
- * Told the share that is done and what that is in words, on the calling thread; returns whether to
- * carry on. When any rank says no, sampling ends on all with the samples taken by then.
+ * A function that is told the share that is done, also in words, on the calling thread, and returns
+ * whether to go on. When any rank says no, sampling ends on all ranks with the samples taken by
+ * then.
  */
 using SamplingProgress = std::function<bool(double done, const std::string& text)>;
 
 /**
- * A table of ratio estimates R = sum N / sum D over batches of samples, with their standard errors
+ * A table of ratio estimates R = sum N / sum D over B batches of samples, with their standard
+ * errors
  *
- *     sqrt(B / (B - 1) sum_b (N_b - R D_b)^2) / sum D
+ *     sqrt(B / (B - 1) sum_b (N_b - R D_b)^2) / sum D.
  *
- * All numerators of a column share its denominator. Sums are integers, so that they are equal for
- * any number of ranks and threads: n = N / NumeratorMost and d = D / DenominatorMost, which are at
- * most 1 in magnitude (to rounding), and n^2, d^2, n d are each rounded to a multiple of 2^-s. With
- * up to B batches in all, s is the lesser of 50 and 62 - ceil(log2 B), so that no sum exceeds
- * 2^62 (1 + 1e-9) in units of 2^-s, and no single number 2^51. The resolution is 9e-16 up to 4096
- * batches, and 1.5e-11 with 2^26 (2^31 samples in batches of 32), the mean of whose rounding
- * errors is below 1e-14. A standard error drowns where the batches vary by less than
- * about 1e-7 of the greatest value a batch may have.
+ * All numerators of a column share its denominator.
+ *
+ * Sums are integers, so that they are equal for any number of ranks and threads: n = N /
+ * NumeratorMost and d = D / DenominatorMost, which are at most 1 in magnitude (to rounding), and
+ * n^2, d^2 and n d are each rounded to a multiple of 2^-s. With up to B batches in all, s is the
+ * lesser of 50 and 62 - ceil(log2 B), so that no sum exceeds 2^62 (1 + 1e-9) in units of 2^-s, and
+ * no single number 2^51. The resolution is 9e-16 up to 4096 batches, and 1.5e-11 with 2^26 (2^31
+ * samples in batches of 32), where the mean of the rounding errors is below 1e-14. A standard error
+ * is lost in rounding where the batches vary by less than about 1e-7 of the greatest value that a
+ * batch may have.
  */
 class SampledRatios
 {
 public:
-  /** `withSecond`: rows have a second numerator of which only the ratio is wanted. */
+  /** With `withSecond`, rows have a second numerator, of which only the ratio is wanted. */
   SampledRatios(std::size_t rows, std::size_t columns, double numeratorMost, double denominatorMost,
     bool withSecond = false);
 
   std::size_t Columns() const { return this->Denominator.size(); }
 
   /**
-   * A round of sampling: between the two calls batches are added, on the ranks in any way, up to
-   * `batches` in all rounds. After EndRound, which is collective, every rank has the sums of all.
+   * A round of sampling. Between the two calls batches are added, on the ranks in any way, up to
+   * `batches` in all rounds together. After EndRound, which is collective, every rank has the sums
+   * of all.
    */
   void BeginRound(const Communicator& communicator, std::int64_t batches);
   void EndRound(Communicator& communicator);
 
   /**
-   * Adds a batch: its denominators, one a column, once, and with the same denominators every row
-   * that is not all 0. Safe to be called concurrently.
+   * AddBatch adds a batch by its denominators, one for each column. AddRow adds a row of the same
+   * batch, with the same denominators; rows that are all 0 may be left out. Both may run
+   * concurrently.
    */
   void AddBatch(const double* denominators);
   void AddRow(std::size_t row, const double* numerators, const double* denominators,
     const double* second = nullptr);
 
-  /** The estimate, NaN where sum D = 0; and its standard error, NaN there too and for B < 2. */
+  /**
+   * The estimate, which is NaN where sum D = 0, and its standard error, which is NaN there and for
+   * B < 2.
+   */
   double Ratio(std::size_t row, std::size_t column) const;
   double Error(std::size_t row, std::size_t column) const;
   double SecondRatio(std::size_t row, std::size_t column) const;
@@ -92,7 +110,7 @@ private:
   double RatioOf(std::int64_t numerator, std::size_t column) const;
 
   double NumeratorMost, DenominatorMost;
-  int Bits = 50; // s
+  int Bits = 50; // s of the class comment
   std::vector<std::int64_t> Batches = { 0 };
   std::vector<std::int64_t> Denominator, DenominatorSquared;              // columns
   std::vector<std::int64_t> Numerator, NumeratorSquared, Product, Second; // rows x columns
@@ -103,30 +121,32 @@ private:
 class SampledSums
 {
 public:
-  /** No C_rs of a batch, nor their sum, may exceed `most`. */
+  /** `most` is an upper bound of every C_rs of a batch, and of their sum. */
   SampledSums(int modes, const LagGrid& lags, double most);
 
   /**
-   * Adds a batch. `rows` has an entry for every ordered pair of phases, at r (modes + 1) + s:
-   * C_rs for all K + 1 lags, the measure of the x with x in phase r and x + r_k n in phase s; a
-   * null pointer where all are 0. The denominator D is the sum over all pairs. Safe to be called
+   * Adds a batch. `rows` has an entry for every ordered pair of phases, at r (modes + 1) + s: C_rs
+   * for all K + 1 lags, the measure of those x with x in phase r and x + r_k n in phase s, or a
+   * null pointer where all are 0. The denominator D is the sum over all pairs. May run
    * concurrently.
    */
   void AddBatch(const std::vector<const double*>& rows);
 
   SampledRatios& GetRatios() { return this->Ratios; }
 
-  /** S_rs = (C_rs + C_sr) / (2 D); values are NaN at lags without a pair of points, errors there
-   * too and where there are fewer than two batches. `Samples` is left to the caller. */
+  /**
+   * Returns S_rs = (C_rs + C_sr) / (2 D). Values are NaN at lags without a pair of points; errors
+   * are NaN there and where there are fewer than two batches. `Samples` is left to the caller.
+   */
   SampledTwoPoint Result() const;
 
 private:
   int Modes;
   LagGrid Lags;
-  SampledRatios Ratios; // a row a pair; the second numerator is C_rs, r < s
+  SampledRatios Ratios; // with a row for each pair, whose second numerator is C_rs, r < s
 };
 
-/** How a method calls its samples. */
+/** What a method calls its samples. */
 struct SampleNames
 {
   const char* Property; // "NumberOfLines"
@@ -140,21 +160,25 @@ struct SampleNames
 void CheckSampling(const SamplingSettings& settings, const SampleNames& names, int modes,
   const LagGrid& lags, const SamplingRegion& region);
 
-/** With a number of samples they are put into so many batches, or into more of the most a batch may
- * hold; with a TargetError so many come first. */
+/**
+ * A number of samples is divided into this many batches, or into more where a batch may not hold as
+ * many. With a TargetError this many come first.
+ */
 constexpr int FewestBatches = 64;
 
-/** The samples in a batch, at most `most`, which it is for a TargetError. */
+/**
+ * Returns the number of samples in a batch: at most `most`, and exactly that with a TargetError.
+ */
 int SamplesInBatch(const SamplingSettings& settings, int most);
 
-/** Batches First to End - 1 and their samples; the last of all batches may be shorter. */
+/** The batches First to End - 1 and their samples. The last of all batches may be shorter. */
 struct BatchRange
 {
   std::int64_t First, End;
-  std::int64_t Samples; // of all batches
+  std::int64_t Samples; // in all batches
   int SamplesInBatch;
 
-  std::int64_t Batches() const // of all samples
+  std::int64_t Batches() const // the number of all batches
   {
     return (this->Samples + this->SamplesInBatch - 1) / this->SamplesInBatch;
   }
@@ -167,17 +191,18 @@ struct BatchRange
 
 /**
  * Takes the samples that the settings ask for, `batchesAtOnce` batches at a time, and returns the
- * result. Collective. `take` adds the batches of this rank in a range to `sums`, and to the
- * `others` that go along. With a TargetError 64 batches come first; as the error falls with the
- * square root of the number of samples, it then says how many are needed. Throws
- * std::invalid_argument when a TargetError is out of reach: for more than 2^31 samples, or at a lag
- * without any pair of points.
+ * result. `take` adds this rank's batches of a range to `sums`, and to the `others` that go along.
+ * With a TargetError, 64 batches come first. As the error falls with the square root of the number
+ * of samples, it then tells how many are needed. Collective.
+ *
+ * Throws std::invalid_argument when a TargetError is out of reach: for more than 2^31 samples, or
+ * at a lag without any pair of points.
  */
 SampledTwoPoint TakeSamples(const SamplingSettings& settings, const SampleNames& names,
   int samplesInBatch, int batchesAtOnce, SampledSums& sums,
   const std::vector<SampledRatios*>& others, Communicator& communicator,
   const SamplingProgress& progress, const std::function<void(const BatchRange&)>& take);
 
-/** Seconds that a pair of phases and a lag take in a batch. */
+/** The seconds that a pair of phases and a lag take in a batch. */
 constexpr double SecondsPerBatchEntry = 3.7e-9;
 }

@@ -4,20 +4,20 @@
 
 /**
  * @file
- * Sums of many piecewise linear functions on the lags k = 0…K, in units of their spacing, kept as
- * second differences: K + 2 numbers, of which a kink changes two.
+ * Sums of many piecewise linear functions on the lags k = 0…K, in units of their spacing. They are
+ * kept as second differences: K + 2 numbers, of which a kink changes two.
  */
 
 namespace ruc
 {
-/** Adds value for all k. */
+/** Adds `value` for all k. */
 inline void AddConstant(double value, double* differences)
 {
   differences[0] += value;
   differences[1] -= value;
 }
 
-/** Adds slope (k - from)+, 0 <= from <= K. */
+/** Adds slope (k - from)+, where 0 <= from <= K. */
 inline void AddRamp(double slope, double from, double* differences)
 {
   int next = static_cast<int>(from);

@@ -27,7 +27,8 @@ Vector3 Wrapped(Vector3 point, const Window& box)
   return point;
 }
 
-// The phases at all points of a run of throws: of each the centre, then the points of each ray
+// The phases at all points of a run of throws: for each throw that of the centre, then those of
+// each ray
 class ThrownPoints
 {
 public:
@@ -57,11 +58,11 @@ public:
       this->LookUpFan(
         RayFan::Random(this->Region, seed, sample), &this->Phases[n * this->PointsOfThrow()]);
     }
-    // The matrix is the highest phase, so that what any rank finds there comes first.
+    // The matrix is the highest phase, so that the minimum is what any rank finds there
     ranks.Minimum(this->Phases.data(), this->Phases.size());
   }
 
-  // Of a throw of those looked up last
+  // The phases of one of the throws that were looked up last
   const std::int32_t* Of(std::int64_t sample) const
   {
     return &this->Phases[(sample - this->First) * this->PointsOfThrow()];
@@ -103,7 +104,8 @@ private:
   std::vector<std::int32_t> Phases;
 };
 
-// The points of a batch in every pair of phases, lag by lag; rows that stay empty are not allocated
+// The number of points of a batch in every pair of phases, lag by lag. Rows that stay empty are not
+// allocated.
 class PairCounts
 {
 public:
@@ -139,7 +141,7 @@ public:
     }
   }
 
-  // As SampledSums takes them
+  // The rows that SampledSums::AddBatch takes
   const std::vector<const double*>& GetRows()
   {
     for (std::size_t n = 0; n < this->Rows.size(); ++n)
@@ -214,7 +216,7 @@ SampledTwoPoint SampleTemplate(const SpherePack& own, int modes, const SamplingR
 
 namespace
 {
-constexpr double SecondsPerPoint = 50e-9; // whose phase is looked up
+constexpr double SecondsPerPoint = 50e-9; // to look up its phase
 }
 
 Estimate EstimateTemplate(const PackFigures& pack, const LagGrid& lags, double throws)

@@ -12,8 +12,8 @@ namespace ruc
 {
 namespace
 {
-// Weights of int f(r) / r dr over the lags 0 to `last`; f is 0 at 0 and linear between every
-// `step`-th lag
+// The weights of int f(r) / r dr over the lags 0 to `last`, where f is 0 at 0 and linear between
+// every `step`-th lag
 std::vector<double> RadialWeights(int last, int step)
 {
   std::vector<double> weights(last + 1, 0.0);
@@ -28,7 +28,7 @@ std::vector<double> RadialWeights(int last, int step)
   return weights;
 }
 
-// Clenshaw-Curtis weights of the nodes cos(pi t / n), n even or odd
+// The Clenshaw-Curtis weights of the nodes cos(pi t / n), for n even or odd
 std::vector<double> AngularWeights(int n)
 {
   std::vector<double> weights;

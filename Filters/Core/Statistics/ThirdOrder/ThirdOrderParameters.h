@@ -36,35 +36,38 @@ struct ThirdOrderIntegrals
  * Here r1 and r2 end at the last lag R. What lies beyond falls as R^-3: for spheres of radius a it
  * is about 0.002 of zeta and 0.01 of eta at R = 8 a. The angles of a ThreePointGrid with an even
  * number of directions are the nodes of the Clenshaw-Curtis rule, which integrates P_2 and P_4 to
- * 0, so the term with S_2 drops out; the error of 20 directions is as small at R = 8 a and grows
- * beyond. Over the lags functions are bilinear; what that misses near r1 = r2 = 0, where S_3 has
- * the kink of |r1 u
- * - r2 v|, is linear in the lag spacing, and is taken out by extrapolation from every lag and every
- * second one.
+ * 0, so that the term with S_2 drops out. The error of 20 directions is as small at R = 8 a and
+ * grows beyond. Over the lags, functions are bilinear. What that misses near r1 = r2 = 0, where S_3
+ * has the kink of |r1 u - r2 v|, is linear in the lag spacing, and is taken out by extrapolation
+ * from every lag and every second lag.
  */
 class ThirdOrderRule
 {
 public:
-  /** Not valid unless the directions are even and at least 8, and K >= 2. */
+  /** The rule is valid if the number of directions is even and at least 8, and K >= 2. */
   explicit ThirdOrderRule(const ThreePointGrid& grid);
 
   bool IsValid() const { return !this->SecondWeights.empty(); }
 
-  /** `value(place)` is S_3 at that place of the grid, `fraction` is c; not numbers without a valid
-   * rule. */
+  /**
+   * Integrates S_3, which is `value(place)` at a place of the grid; `fraction` is c. I_2 and I_4
+   * are NaN without a valid rule.
+   */
   template <class Value>
   ThirdOrderIntegrals Integrate(double fraction, Value&& value) const;
 
   static ThirdOrderParameters Parameters(const ThirdOrderIntegrals& integrals);
 
-  /** The standard errors of the parameters of `whole`, from the integrals of batches, to first
-   * order in their scatter; not numbers for fewer than two batches. */
+  /**
+   * Returns the standard errors of the parameters of `whole`, from the integrals of batches, to
+   * first order in their scatter. They are NaN for fewer than two batches.
+   */
   static ThirdOrderParameters StandardErrors(
     const ThirdOrderIntegrals& whole, const std::vector<ThirdOrderIntegrals>& batches);
 
 private:
-  std::vector<double> Fine, Coarse; // weights of every lag, and from every second one
-  std::vector<double> SecondWeights, FourthWeights; // of every angle, with P_2 and P_4
+  std::vector<double> Fine, Coarse; // weights of the lags by every lag, and by every second one
+  std::vector<double> SecondWeights, FourthWeights; // weights of the angles with P_2 and P_4
 };
 
 template <class Value>

@@ -9,9 +9,9 @@
 namespace ruc
 {
 /**
- * Where S_rsq(r1, r2, theta) is known: r1 and r2 on the lags 0 to K, theta = 360 t / M degrees for
- * t = 0 to M / 2, with M rays evenly around a circle. Functions on it have r1 running fastest,
- * theta slowest.
+ * The grid on which S_rsq(r1, r2, theta) is known: r1 and r2 are the lags 0 to K, and theta = 360 t
+ * / M degrees for t = 0 to M / 2, with M rays spaced evenly around a circle. In functions on the
+ * grid r1 runs fastest and theta slowest.
  */
 struct ThreePointGrid
 {
@@ -19,9 +19,9 @@ struct ThreePointGrid
   int Directions; // M >= 2
 
   int Angles() const { return this->Directions / 2 + 1; }
-  double Angle(int t) const { return 360.0 * t / this->Directions; } // degrees
+  double Angle(int t) const { return 360.0 * t / this->Directions; } // in degrees
 
-  int Points() const { return this->Lags.Count + 1; } // of r1, or r2
+  int Points() const { return this->Lags.Count + 1; } // the number of r1, and of r2
   std::size_t SliceSize() const
   {
     return static_cast<std::size_t>(this->Points()) * this->Points();
@@ -32,7 +32,7 @@ struct ThreePointGrid
     return t * this->SliceSize() + static_cast<std::size_t>(k2) * this->Points() + k1;
   }
 
-  /** Ordered pairs of rays at an angle. */
+  /** The number of ordered pairs of rays at an angle. */
   int RayPairs(int t) const
   {
     return t == 0 || 2 * t == this->Directions ? this->Directions : 2 * this->Directions;
