@@ -15,8 +15,8 @@ namespace ruc
 namespace
 {
 /**
- * values[i] = min over j of values[j] + (spacing (i - j))^2, all values finite: the lower envelope
- * of parabolas (Felzenszwalb and Huttenlocher, Theory of Computing 8, 2012).
+ * Computes values[i] = min over j of values[j] + (spacing (i - j))^2, where all values are finite,
+ * by the lower envelope of parabolas (Felzenszwalb and Huttenlocher, Theory of Computing 8, 2012).
  */
 class ParabolaEnvelope
 {
@@ -100,8 +100,8 @@ std::array<std::size_t, 3> StridesOf(const std::array<int, 3>& dimensions)
   return { 1, row, row * dimensions[1] };
 }
 
-// The inside voxels that touch neither an outside one, by a face, an edge or a corner, nor the
-// border of the image
+// Keeps the inside voxels that touch neither the border of the image nor, by a face, an edge or a
+// corner, an outside voxel
 std::vector<std::uint8_t> WithoutRim(
   const std::vector<std::uint8_t>& inside, const std::array<int, 3>& dimensions)
 {
@@ -151,7 +151,7 @@ std::vector<double> SquaredDistances(const std::vector<std::uint8_t>& voxels,
   return distance2;
 }
 
-// Appends what follows the last interval, or continues it
+// Appends a part, or continues the last interval where the part follows it
 void Append(const LineInterval& part, std::vector<LineInterval>& intervals)
 {
   if (!intervals.empty() && intervals.back().End == part.Begin)
@@ -234,9 +234,9 @@ VoxelMask VoxelMask::Eroded(double margin) const
   {
     return *this;
   }
-  // Voxels that touch an outside one, or the border, are at no distance from it. From there on the
-  // distance of two boxes of voxels is that of their centres less one spacing along each axis, so
-  // it is the distance of centres from these voxels.
+  // Voxels that touch an outside one, or the border, are at no distance from it. The distance
+  // between any other voxel, as a box, and the outside is the distance between its centre and the
+  // nearest centre of such a voxel, as one spacing along each axis is taken off either way.
   const std::vector<double> distance2 =
     SquaredDistances(WithoutRim(this->Inside, this->Dimensions), this->Dimensions, this->Spacing);
   std::vector<std::uint8_t> kept(this->Inside.size());

@@ -19,7 +19,7 @@ namespace
 constexpr int MaximumDraws = 10000;
 constexpr int DrawsBetweenQuestions = 1000;
 
-// The spheres that are in the cell already, in a periodic grid whose cells are no shorter than the
+// The spheres that are already in the cube, in a periodic grid whose cells are no shorter than the
 // longest distance at which two of them matter
 class Deposit
 {
@@ -39,12 +39,13 @@ public:
       .push_back({ centre, radius });
   }
 
-  // The largest (a + b - d) / (a + b) of a sphere here with those in the cell, or any value above
-  // `bound` where it is above
+  // The largest (a + b - d) / (a + b) of a sphere at a place with those in the cube, or any value
+  // above `bound` where the largest is above it
   double DegreeAt(const std::array<double, 3>& centre, double radius, double bound) const
   {
     double degree = 0.0;
-    // Two cells are each other's neighbours on both sides; a nearest image is met once all the same
+    // With two cells along an axis, each is the other's neighbour on both sides, but the nearest
+    // image must be met once
     const int first = this->Cells < 3 ? 0 : -1;
     const int last = this->Cells < 3 ? this->Cells - 1 : 1;
     const int cell[3] = { this->CellOf(centre[0]), this->CellOf(centre[1]),

@@ -15,7 +15,7 @@ namespace ruc
 {
 namespace
 {
-// Rest length of the springs in contacts
+// The rest length of the springs, in contacts
 constexpr double Rest = 1.0 + 1e-4;
 
 class Masses
@@ -32,7 +32,7 @@ public:
     this->ListSprings();
   }
 
-  /** Forces at the places now; returns whether any two spheres overlap. */
+  /** Finds the forces at the present places, and returns whether any two spheres overlap. */
   bool FindForces()
   {
     if (this->LargestMove() > 0.5 * this->Skin)
@@ -74,7 +74,8 @@ public:
       speed2 += this->Velocity[k] * this->Velocity[k];
       force2 += this->Force[k] * this->Force[k];
     }
-    // The constants are those of the publication; a mass of twelve springs is stable with this step
+    // The constants are those of the publication. A mass with twelve springs is stable with this
+    // step.
     if (power > 0.0)
     {
       this->Turn *= ++this->StepsDownhill > 5 ? 0.99 : 1.0;
@@ -107,7 +108,8 @@ public:
 private:
   static constexpr double LongestStep = 0.5, FirstTurn = 0.1;
 
-  // Two spheres that are nearer than the skin, with the image of the second that it is
+  // Two spheres that are nearer to each other than contact and skin, with the shift to that image
+  // of the second
   struct Spring
   {
     std::uint32_t First, Second;
@@ -152,8 +154,8 @@ private:
   const SpherePack& Pack;
   const Window& Box;
   double Skin;
-  std::vector<double> Centres; // unwrapped, as they move
-  std::vector<double> Listed;  // when the springs were listed
+  std::vector<double> Centres; // not wrapped, as they move
+  std::vector<double> Listed;  // the centres when the springs were listed
   std::vector<Spring> Springs;
   std::vector<double> Velocity, Force;
   double TimeStep = 0.1;

@@ -14,12 +14,12 @@ namespace ruc
 {
 namespace
 {
-// Sum of (reach (a + b) - d)+^2 over the pairs of a wrapped pack, and its gradient after the
-// centres
+// The sum of (reach (a + b) - d)+^2 over the pairs of a wrapped pack; FindContactEnergy also gives
+// its gradient with respect to the centres
 struct ContactEnergy
 {
   double Value = 0.0;
-  bool Free = true; // no two spheres overlap
+  bool Free = true; // whether no two spheres overlap
 };
 
 ContactEnergy FindContactEnergy(
@@ -59,7 +59,7 @@ void Shake(SpherePack& pack, const Window& box, std::uint32_t seed, std::uint32_
   WrapIntoBox(pack, box);
 }
 
-// Descends until no two spheres overlap, or nothing is to be gained. Returns whether the caller
+// Descends until no two spheres overlap or nothing is to be gained. Returns whether the caller
 // wants to go on.
 bool PushApart(
   SpherePack& pack, const Window& box, double reach, const std::function<bool()>& carryOn)
@@ -91,8 +91,8 @@ bool PushApart(
 bool RemoveOverlap(
   SpherePack& pack, const Window& box, std::uint32_t seed, const std::function<bool()>& carryOn)
 {
-  // Enlarged contacts end the search at a point where the true ones are free; near jamming there is
-  // room for less
+  // With enlarged contacts the search ends at a point where the true ones are free. Near jamming
+  // there is room for less enlargement.
   constexpr double Enlargements[] = { 1e-4, 1e-5, 1e-6, 1e-4, 1e-5, 1e-6, 1e-5, 1e-6, 1e-5, 1e-6 };
   constexpr std::uint32_t AttemptsUnshaken = 3;
   WrapIntoBox(pack, box);
