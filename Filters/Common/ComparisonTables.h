@@ -13,7 +13,7 @@ class vtkTable;
 /** The tables of vtkRUCCompareProbabilities, whose columns are documented there. */
 namespace ComparisonTables RUCCOMMON_EXPORT
 {
-/** The rows of the comparison. */
+/** The rows of the table of the comparison. */
 class Rows
 {
 public:
@@ -26,10 +26,13 @@ private:
   std::vector<double> Numbers[6];
 };
 
-/** The difference of the mean of both; 0 where both are 0. */
+/** The difference in percent of the mean of both; 0 where both are 0. */
 double Percent(double difference, double pack, double cell);
 
-/** `several`: with the standard deviations over the cells. */
+/**
+ * Fill the outputs 0 and 1 of the filter, with the standard deviations over the cells where there
+ * are `several`.
+ */
 void FillComparison(const ruc::TwoPointProbability& pack, const ruc::MeanProbability& cells,
   bool several, vtkTable* table);
 void FillCurves(const ruc::TwoPointProbability& pack, const ruc::MeanProbability& cells,

@@ -27,7 +27,7 @@ vtkDoubleArray* ImageSlab::NewArray(vtkImageData* image, const std::string& name
   values->SetName(name.c_str());
   values->SetNumberOfValues(image->GetNumberOfPoints());
   vtkPointData* points = image->GetPointData();
-  points->AddArray(values); // which keeps it
+  points->AddArray(values); // the image keeps it
   if (!points->GetScalars())
   {
     points->SetActiveScalars(name.c_str());

@@ -12,15 +12,20 @@
 
 class RankCommunicator;
 
-/** Images of which every rank has the part that ParaView expects of it. */
+/** Images of which every rank holds the part that ParaView expects of it. */
 namespace ImageSlab RUCCOMMON_EXPORT
 {
-/** Gives the image its extent on this rank, of the `whole` one, its spacing and the origin 0. */
+/**
+ * Gives the image its extent on this rank, which is a part of the `whole` one, its spacing, and the
+ * origin 0.
+ */
 void SetExtent(vtkImageData* image, const std::array<int, 6>& whole,
   const std::array<double, 3>& spacing, const RankCommunicator& ranks);
 
-/** A new point array with a number for every point, not yet set. The first one of an image becomes
- * its active scalars. */
+/**
+ * Adds a point array with one number for every point, not yet set. The first array of an image
+ * becomes its active scalars.
+ */
 vtkDoubleArray* NewArray(vtkImageData* image, const std::string& name);
 
 /** Adds a point array of the numbers value(i, j, k). */

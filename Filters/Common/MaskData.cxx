@@ -24,13 +24,13 @@ namespace
 {
 using ruc::Text;
 
-// The part of the mask that one rank has; without voxels where it has none
+// The part of the mask that one rank has. It has no voxels where the rank has none.
 struct Slab
 {
   std::array<int, 3> First{}, Last{}; // voxels, both included
-  ruc::Vector3 Origin{}, Spacing{};   // of the image: of voxel 0's point, or of its lower corner
-  bool OfPoints = false;              // else of cells
-  std::vector<std::uint8_t> Inside;   // of every voxel, x fastest
+  ruc::Vector3 Origin{}, Spacing{};   // of the image: where voxel 0 has its point or lower corner
+  bool OfPoints = false;              // whether voxels are points, not cells
+  std::vector<std::uint8_t> Inside;   // 0 for voxels outside, x running fastest
 
   template <class Self>
   static auto Fields(Self& self)

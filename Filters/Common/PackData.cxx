@@ -181,7 +181,7 @@ void FillPolyData(const ruc::SpherePack& pack, vtkPolyData* output)
     mode->SetNumberOfValues(count);
     std::copy(pack.Mode.begin(), pack.Mode.end(), mode->GetPointer(0));
     output->GetPointData()->AddArray(mode);
-    output->GetPointData()->SetActiveScalars("Mode"); // which views colour by
+    output->GetPointData()->SetActiveScalars("Mode"); // views colour by it
   }
   output->GetPointData()->AddArray(id);
 }

@@ -15,8 +15,10 @@ class vtkFieldData;
 class vtkPointSet;
 class vtkPolyData;
 
-/** Sphere packs as VTK point sets, with the arrays that README names. What a filter gets as input
- * becomes one point set a rank in PackInput. */
+/**
+ * Sphere packs as VTK point sets, with the arrays that README names. PackInput makes one point set
+ * on each rank of what a filter gets as input.
+ */
 namespace PackData RUCCOMMON_EXPORT
 {
 /** A whole pack. */
@@ -38,34 +40,51 @@ struct SharedPack : PackOrigin
 };
 
 /**
- * Collective: this rank's piece of the pack and the window of the whole (FindOrigin). `Mode` is
- * required and read only `withModes`. Throws std::invalid_argument, the same on every rank, where
- * an array is missing or not of the form required, and as FindOrigin and ruc::CheckedPiece do.
+ * Returns this rank's piece of the pack and the window of the whole pack (FindOrigin). `Mode` is
+ * required and read only `withModes`. Collective.
+ *
+ * Throws std::invalid_argument, the same on every rank, where an array is missing or not of the
+ * form required, and as FindOrigin and ruc::CheckedPiece do.
  */
 PackPiece FindPiece(
   vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks);
 
-/** Collective: FindPiece, and ruc::SharePack. No rank sees more than its share. */
+/**
+ * Does what FindPiece and ruc::SharePack do. No rank sees more of the pack than its share.
+ * Collective.
+ */
 SharedPack FindShare(
   vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks);
 
-/** Collective: FindPiece, and ruc::GatherPack. For packs that are small, such as unit cells. */
+/**
+ * Does what FindPiece and ruc::GatherPack do, for packs that are small, such as unit cells.
+ * Collective.
+ */
 ObservedPack GatherPack(
   vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks);
 
-/** The array of that name with numbers of one component and a value for each of `count` points,
- * cells or rows; null where there is none. An array may be shorter than what it belongs to, and VTK
- * reads past its end: whatever is read a point at a time comes from here or from RequireArray. */
+/**
+ * Returns the array of that name with numbers of one component and a value for each of `count`
+ * points, cells or rows, or null where there is none. An array may be shorter than what it belongs
+ * to, and VTK reads past its end; so whatever is read point by point comes from here or from
+ * RequireArray.
+ */
 vtkDataArray* FindArray(vtkFieldData* arrays, const char* name, vtkIdType count);
 
-/** The point array of that name, checked: numeric, one component, a value for every point. */
+/**
+ * Returns the point array of that name. Throws std::invalid_argument unless it is numeric, with one
+ * component and a value for every point.
+ */
 vtkDataArray* RequireArray(vtkPointSet* input, const char* name);
 
-/** Collective: whether any rank's piece has a point array of that name that is of numbers. */
+/** Returns whether any rank's piece has a point array of that name that is of numbers. Collective.
+ */
 bool HasArray(vtkPointSet* input, const char* name, RankCommunicator& ranks);
 
-/** Points with vertex cells, `Radius`, `Mode` where the pack has modes, and `Id`, where it has none
- * the place in the pack. */
+/**
+ * Fills in the points, with vertex cells, and the arrays `Radius`, `Mode` where the pack has modes,
+ * and `Id`, which is the place in the pack where the pack has none.
+ */
 void FillPolyData(const ruc::SpherePack& pack, vtkPolyData* output);
 
 }

@@ -23,16 +23,16 @@
 
 namespace
 {
-// As many spheres tell the sizes of all
+// This many spheres are enough to know the sizes of all
 constexpr vtkIdType MostLookedAt = 20000;
 
-// Null where there is none of a row and more
+// Returns null where there is no such column with two rows or more
 vtkDataArray* FindColumn(vtkTable* table, const std::string& name)
 {
   return PackData::FindArray(table->GetRowData(), name.c_str(), 2);
 }
 
-// Of all ranks
+// The number of spheres on all ranks
 std::optional<double> FindSpheres(vtkPointSet* piece, double told, int ranks)
 {
   if (told > 0.0)
@@ -74,8 +74,8 @@ ruc::PackFigures FindSizes(vtkDataArray* radius, vtkDataArray* mode, vtkIdType p
   return pack;
 }
 
-// The window of a pack without one, of which a rank knows its piece: the piece's bounds, or a cube
-// of the pack's volume where there is more of it
+// The window of a pack without one, of which a rank knows its piece: the bounds of the piece, or a
+// cube of the pack's volume where the piece is not all of it
 ruc::Window GuessWindow(vtkPointSet* piece, double share)
 {
   double bounds[6];

@@ -10,24 +10,28 @@
 #include <optional>
 #include <vector>
 
-/** What one rank knows of its input without asking the others, in the form that estimates take. */
+/**
+ * What one rank knows about its input without asking the others, in the form that estimates take.
+ */
 namespace PackEstimate RUCCOMMON_EXPORT
 {
 /**
- * Figures of a pack with `Mode`. `spheres` is how many all ranks have; 0: on one rank those of
- * `piece`, on several its field data `NumberOfSpheres`. Sizes and, where there is no window, the
- * density are those of `piece`. None where the pack is not known; throws std::invalid_argument for
- * a window that a run would refuse.
+ * Returns the figures of a pack with `Mode`, or none where the pack is not known. `spheres` is the
+ * number on all ranks; 0 means that of `piece` on one rank, and on several ranks the field data
+ * `NumberOfSpheres` of `piece`. The sizes and, where there is no window, the density are those of
+ * `piece`. Throws std::invalid_argument for a window that a run would refuse.
  */
 std::optional<ruc::PackFigures> FindFigures(
   vtkPointSet* piece, const PackData::WindowProperties& properties, double spheres, int ranks);
 
-/** A cell like those of a table of S_rs with spheres of these diameters, still without a number;
- * and the table's lags. None where the table does not tell; throws std::invalid_argument for
- * diameters that do not belong to its modes. */
+/**
+ * Returns a cell like those of a table of S_rs with spheres of these diameters, still without a
+ * number of spheres, and the table's lags; or none where the table does not tell. Throws
+ * std::invalid_argument for diameters that do not belong to its modes.
+ */
 std::optional<ruc::CellFigures> FindCellFigures(
   vtkTable* table, const std::vector<double>& diameters, ruc::LagGrid& lags);
 
-/** Threads of all ranks. */
+/** Returns the number of threads of all ranks together. */
 double Cores(int ranks);
 }

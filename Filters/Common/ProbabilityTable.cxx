@@ -18,7 +18,7 @@
 
 namespace
 {
-// The number of modes from names such as S_2_7; 0 without any
+// The number of modes that names such as S_2_7 tell; 0 where there are none
 int FindModes(vtkTable* table)
 {
   int modes = 0;
@@ -39,7 +39,7 @@ int FindModes(vtkTable* table)
 // Throws std::invalid_argument where the table, on the rank that has it, is not what is required
 ruc::TwoPointProbability ReadLocal(vtkTable* table, const std::string& what)
 {
-  // A table looks through all its columns for a name, which adds up where there are many
+  // A table looks through all its columns for a name, which takes long where there are many
   std::unordered_map<std::string, vtkDataArray*> columns;
   for (vtkIdType c = 0; c < table->GetNumberOfColumns(); ++c)
   {
@@ -93,8 +93,8 @@ ruc::TwoPointProbability ReadLocal(vtkTable* table, const std::string& what)
   }
   const int count = static_cast<int>(r.size()) - 1;
   const double spacing = r.back() / count;
-  // Five digits, which ParaView writes, are within 5e-5 of the lag, and so is the last one, of
-  // which the step is made. Half a step, so that no lag stands for its neighbour.
+  // A lag of five digits, which ParaView writes, is within 5e-5 of the true one, and so is the last
+  // lag, from which the step is made. Within half a step no lag stands for its neighbour.
   const double tolerance = std::min(2.0 * ProbabilityTable::Rounding * r.back(), 0.5 * spacing);
   for (int k = 0; k <= count; ++k)
   {

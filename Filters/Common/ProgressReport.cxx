@@ -24,7 +24,7 @@ ProgressReport::ProgressReport(vtkAlgorithm* filter, const std::string& name)
   , LastUpdate(Start - UpdateInterval)
   , LastLine(Start)
 {
-  filter->SetAbortExecute(0); // VTK leaves it standing
+  filter->SetAbortExecute(0); // VTK does not reset it between runs
   vtkRUCStopRequest::Clear();
 }
 

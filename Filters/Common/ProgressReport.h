@@ -13,32 +13,36 @@ class RankCommunicator;
 class vtkAlgorithm;
 
 /**
- * Tells a user how far a filter is: the text and the bar of the window about ten times a second,
- * and a line on the standard output every few seconds, which is what a batch run shows. To be
- * updated on rank 0 alone, from its main thread. A `fraction` is the share of the work that is
- * done, in [0, 1]; an `activity` says what is going on.
+ * Tells a user how far a filter is: text and bar of the window about ten times a second, and a line
+ * on the standard output every few seconds, which is what a batch run shows. It is updated on rank
+ * 0 alone, from its main thread. A `fraction` is the share of the work that is done, in [0, 1]; an
+ * `activity` says what is going on.
  */
 class RUCCOMMON_EXPORT ProgressReport
 {
 public:
-  /** Forgets wishes that an earlier run should stop; on any rank. */
+  /** Forgets wishes that an earlier run should stop. It may be made on any rank. */
   ProgressReport(vtkAlgorithm* filter, const std::string& name);
 
   /** Tells of work that has nothing to show before its end, and so cannot be stopped. */
   void Tell(double fraction, const std::string& activity);
 
-  /** Tells of anything; the report knows the name of the filter. */
+  /** Tells of anything. The name of the filter is filled in by the report. */
   void Tell(double fraction, RunProgress progress);
 
   /**
-   * Tells of work that can be stopped. Returns whether to carry on: false once there is a
+   * Tells of work that can be stopped. Returns whether to go on, which is false once there is a
    * vtkRUCStopRequest or somebody has called SetAbortExecute.
    */
   [[nodiscard]] bool Update(double fraction, const std::string& activity);
 
-  /** Tells, on rank 0, the share of the pairs that are summed: for sums that cannot be stopped. */
+  /**
+   * Returns a function that tells, on rank 0, the share of the pairs that are summed, for sums that
+   * cannot be stopped.
+   */
   std::function<void(double)> ForPairs(const RankCommunicator& ranks);
 
+  /** The seconds since the report was made. */
   double Seconds() const;
 
 private:

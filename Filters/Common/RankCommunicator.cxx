@@ -16,7 +16,7 @@
 
 namespace
 {
-// What a call of MPI, which counts in int, is asked to carry at a time
+// The most bytes that a call of MPI, which counts in int, is asked to carry at a time
 constexpr vtkIdType MostBytes = vtkIdType(1) << 30;
 constexpr int AllToAllTag = 61301;
 }
@@ -132,8 +132,8 @@ std::vector<std::string> RankCommunicator::AllToAllBytes(std::vector<std::string
       this->Controller->Receive(incoming[from].data(), size, from, AllToAllTag);
     }
   };
-  // In every step the ranks make pairs; the lower one of a pair talks first, so none waits in a
-  // ring
+  // In every step the ranks form pairs. The lower rank of a pair sends first, so that no ring of
+  // ranks waits for each other.
   for (int step = 0; step < ranks; ++step)
   {
     const int partner = (step - rank + ranks) % ranks;

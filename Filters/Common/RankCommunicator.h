@@ -25,10 +25,12 @@ public:
   void Sum(std::int64_t* values, std::size_t count) override;
   void Minimum(std::int32_t* values, std::size_t count) override;
   void Minimum(double* values, std::size_t count) override;
-  using ruc::Communicator::Sum; // of doubles
+  using ruc::Communicator::Sum; // the sum of doubles
 
-  /** Collective: the ranks with the same `group` >= 0 as a communicator of their own, in the same
-   * order. */
+  /**
+   * Returns the ranks with the same `group` >= 0 as a communicator of their own, in the same order.
+   * Collective.
+   */
   std::unique_ptr<RankCommunicator> Split(int group) const;
 
   vtkMultiProcessController* GetController() const { return this->Controller; }
@@ -44,5 +46,5 @@ protected:
 
 private:
   vtkMultiProcessController* Controller;
-  vtkSmartPointer<vtkMultiProcessController> Own; // of a group
+  vtkSmartPointer<vtkMultiProcessController> Own; // the controller that a group owns
 };

@@ -36,7 +36,7 @@ void AddColumn(vtkTable* table, vtkAbstractArray* column)
   {
     row->AllocateArrays(2 * columns + 1);
   }
-  // Without a name, by which VTK looks through all the columns that there are
+  // The column goes in without its name, since VTK looks through all columns for a name
   const std::string name = column->GetName();
   column->SetName(nullptr);
   row->AddArray(column);

@@ -17,34 +17,42 @@ class vtkTable;
 /** How results become columns of tables and field data. */
 namespace PackData RUCCOMMON_EXPORT
 {
-/** Adds a column of a name that the table does not have yet, in a time that does not depend on how
- * many columns there are. */
+/**
+ * Adds a column whose name the table does not have yet, in a time that does not depend on how many
+ * columns there are.
+ */
 void AddColumn(vtkTable* table, vtkAbstractArray* column);
 void AddColumn(vtkTable* table, const std::string& name, const std::vector<double>& values);
 void AddColumn(vtkTable* table, const std::string& name, const std::vector<long long>& values);
 void AddColumn(vtkTable* table, const std::string& name, const std::vector<std::string>& values);
+/** Adds field data, in place of an array of the same name. */
 void AddField(vtkDataObject* data, const char* name, const std::vector<double>& values);
 void AddField(vtkDataObject* data, const char* name, const std::vector<long long>& values);
 void AddField(vtkDataObject* data, const char* name, const std::string& text);
 
-/** `WindowSource`, `LengthUnit` and `PluginVersion`. */
+/** Adds the field data `WindowSource`, `LengthUnit` and `PluginVersion`. */
 void AddOrigin(vtkDataObject* data, const PackOrigin& origin);
 
 /**
- * What made a result of this pack: window and origin, `NumberOfSpheres`, `VolumeFractions` (as
- * ruc::OnePointProbability) and `OverlapPercent`.
+ * Adds field data that tell from what a result was made: the window, what AddOrigin adds,
+ * `NumberOfSpheres`, `VolumeFractions` (in the layout of ruc::OnePointProbability) and
+ * `OverlapPercent`.
  */
 void AddPackSummary(vtkDataObject* data, const PackOrigin& origin, std::int64_t spheres,
   const std::vector<double>& fractions, double overlapPercent);
 
-/** Above this overlap, in percent of the spheres' volume, sums over spheres are no longer the
- * probabilities of phases. */
+/**
+ * Above this overlap, in percent of the spheres' volume, sums over spheres are no longer the
+ * probabilities of phases.
+ */
 constexpr double TolerableOverlap = 0.01;
-/** The end of a sentence that begins with the filter's name. */
+/**
+ * The warning for an overlap in percent: the rest of a sentence that begins with the filter's name.
+ */
 std::string OverlapWarning(double percent);
 
-/** The lags 0 to K as column `r`. */
+/** Adds the lags r_0 to r_K as column `r`. */
 void AddLags(vtkTable* table, const ruc::LagGrid& lags);
-/** "S_1_2" */
+/** The name of a pair's column, such as "S_1_2". */
 std::string PairName(const ruc::TwoPointProbability& probability, int r, int s);
 }

@@ -89,7 +89,7 @@ std::optional<ruc::Estimate> vtkRUCPackAlgorithm::FindEstimate()
   }
   catch (const std::exception&)
   {
-    // It is the run that says what is wrong
+    // The run says what is wrong
     return {};
   }
 }

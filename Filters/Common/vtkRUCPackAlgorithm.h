@@ -40,7 +40,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Origin and edges of a box window; edges of 0 (the default) leave the window to the pack. */
+  /**
+   * The origin and the edges of a box window. Edges of 0 (the default) leave the window to the
+   * pack.
+   */
   vtkSetVector3Macro(BoxOrigin, double);
   vtkGetVector3Macro(BoxOrigin, double);
   vtkSetVector3Macro(BoxSize, double);
@@ -52,8 +55,10 @@ public:
   vtkGetVector3Macro(BoxPeriodic, int);
   ///@}
   ///@{
-  /** A cylinder window: centre of the base, axis direction (default z), radius and height; 0 leaves
-   * the window to the pack. */
+  /**
+   * A cylinder window: the centre of its base, the direction of its axis (default z), its radius
+   * and its height. Radius and height 0 (the default) leave the window to the pack.
+   */
   vtkSetVector3Macro(CylinderBase, double);
   vtkGetVector3Macro(CylinderBase, double);
   vtkSetVector3Macro(CylinderAxis, double);
@@ -64,46 +69,56 @@ public:
   vtkGetMacro(CylinderHeight, double);
   ///@}
   ///@{
-  /** Leave spheres with centres outside the window out, instead of refusing the pack. Default: off.
+  /**
+   * Whether spheres with centres outside the window are left out, instead of the pack being
+   * refused. Default: off.
    */
   vtkSetMacro(CropToWindow, bool);
   vtkGetMacro(CropToWindow, bool);
   ///@}
   ///@{
   /**
-   * For the estimates alone: how many spheres the input has on all ranks together, which rank 0
-   * cannot know by itself. Does not modify the filter. Default: 0, the input's field data
-   * `NumberOfSpheres`, or on one rank its points.
+   * The number of spheres that the input has on all ranks together, which rank 0 cannot know by
+   * itself. It serves the estimates alone, and setting it does not modify the filter. Default: 0,
+   * which stands for the input's field data `NumberOfSpheres`, or on one rank for its points.
    */
   void SetSpheresInInput(vtkIdType number) { this->SpheresInInput = number; }
   vtkIdType GetSpheresInInput() const { return this->SpheresInInput; }
   ///@}
 
   ///@{
-  /** What every rank may use, in megabytes of 10^6 bytes: a run whose estimate (GetEstimatedMemory)
-   * is above that on any rank is refused on all before it begins. Default: 4000. */
+  /**
+   * The memory that every rank may use, in megabytes of 10^6 bytes. A run whose estimate
+   * (GetEstimatedMemory) is above that on any rank is refused on all ranks before it begins.
+   * Default: 4000.
+   */
   vtkSetMacro(MemoryLimit, double);
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
   /**
    * What a run with the properties as they are would take on an even pack: seconds, with the work
-   * shared by all ranks and their threads, and megabytes of 10^6 bytes on every rank. Told from the
-   * input as it was last updated on this rank, without any work and without asking other ranks, so
-   * to a factor of three (Core/Base/Estimate.h). 0 where that is not known: without input, for
-   * properties out of range, and by the filters that do not say.
+   * shared by all ranks and their threads, and megabytes of 10^6 bytes on every rank. It is told
+   * from the input as it was last updated on this rank, without any work and without asking other
+   * ranks, and so to a factor of three (Core/Base/Estimate.h). It is 0 where it is not known:
+   * without input, for properties out of range, and for filters that do not tell.
    */
   double GetEstimatedTime();
   virtual double GetEstimatedMemory();
-  /** What 0 stands for, about, in properties that are then automatic: "Maximum Lag 394". Empty
-   * where none is 0, and where that is not known. */
+  /**
+   * About what 0 stands for in properties that are then automatic, such as "Maximum Lag 394". It is
+   * empty where none of them is 0, and where that is not known.
+   */
   const char* GetAutomaticValues();
 
 protected:
   vtkRUCPackAlgorithm() = default;
   ~vtkRUCPackAlgorithm() override = default;
 
-  /** The same for the pack, vtkRUCParallelAlgorithm::Execute. */
+  /**
+   * Fills the outputs as vtkRUCParallelAlgorithm::Execute does, for this rank's points of the pack,
+   * which are null where it has none.
+   */
   virtual void Execute(
     vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) = 0;
   void Execute(
@@ -111,23 +126,32 @@ protected:
 
   PackData::WindowProperties GetWindowProperties() const;
 
-  /** What the estimates are made of, from figures of the pack; none where they are not known. May
-   * throw std::invalid_argument for what a run would refuse, which then has no estimates either. */
+  /**
+   * Returns the estimates from figures of the pack, or none where they are not known. It may throw
+   * std::invalid_argument for what a run would refuse, which then has no estimates either.
+   */
   virtual std::optional<ruc::Estimate> MakeEstimate();
-  /** What comes to that for a region to sample, as far as it is known; nothing by default. */
+  /**
+   * Returns what a region to sample adds to the estimates, as far as it is known; nothing by
+   * default.
+   */
   virtual ruc::Estimate EstimateRegion();
-  /** The part of the estimated memory that is held against MemoryLimit before a run; all of it by
-   * default. */
+  /**
+   * The part of the estimated memory that is held against MemoryLimit before a run; all of it by
+   * default.
+   */
   virtual double GetMemoryToCheck() { return this->GetEstimatedMemory(); }
-  /** Collective: throws std::invalid_argument, the same on every rank, where that is above
-   * MemoryLimit on any rank. What is not known on any is taken. */
+  /**
+   * Throws std::invalid_argument, the same on every rank, where that part is above MemoryLimit on
+   * any rank. A run whose memory is not known on any rank is let through. Collective.
+   */
   void CheckMemory(RankCommunicator& ranks);
-  /** How many spheres all ranks have, while that is known or set; else 0. */
+  /** The number of spheres on all ranks, while it is known or set; else 0. */
   vtkIdType GetKnownSpheres() const
   {
     return this->SpheresFound > 0 ? this->SpheresFound : this->SpheresInInput;
   }
-  /** The pack as this rank alone knows it, none where it does not. */
+  /** Returns the figures of the pack as this rank alone knows it, or none where it does not. */
   std::optional<ruc::PackFigures> FindFigures();
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -147,7 +171,7 @@ private:
   double CylinderHeight = 0.0;
   bool CropToWindow = false;
   vtkIdType SpheresInInput = 0;
-  vtkIdType SpheresFound = 0; // at the beginning of a run
+  vtkIdType SpheresFound = 0; // the number on all ranks, while a run checks its memory
   double MemoryLimit = 4000.0;
   std::string AutomaticValues;
 };

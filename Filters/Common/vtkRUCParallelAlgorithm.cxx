@@ -22,8 +22,8 @@
 
 namespace
 {
-// Collective: the columns of rank 0's table, without its rows, on the other ranks. Readers of
-// tables leave them so, and views that work on all ranks look a column up on each.
+// Gives the other ranks the columns of rank 0's table, without its rows. Readers of tables leave
+// them so, and views that work on all ranks look a column up on each. Collective.
 void ShareColumns(vtkTable* table, const RankCommunicator& ranks)
 {
   vtkMultiProcessStream stream;
@@ -97,8 +97,8 @@ int vtkRUCParallelAlgorithm::RequestInformation(
 int vtkRUCParallelAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  // One request for all ports, whichever was asked: else the filter runs once a port on more than
-  // one rank.
+  // The request is the same for all ports, whichever was asked; else the filter would run once for
+  // each port on more than one rank.
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   const RankCommunicator ranks(this->Controller);
   const auto request = [&](vtkInformation* info)
@@ -119,8 +119,8 @@ int vtkRUCParallelAlgorithm::RequestUpdateExtent(
       request(info);
       if (info->Has(Pipeline::WHOLE_EXTENT()))
       {
-        // Of which the executive takes the piece; by default it is the extent asked of an image
-        // output, which may have another grid
+        // The executive takes the piece of this extent. By default it would be the extent that is
+        // asked of an image output, which may have another grid.
         int whole[6];
         info->Get(Pipeline::WHOLE_EXTENT(), whole);
         info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
@@ -156,16 +156,16 @@ int vtkRUCParallelAlgorithm::RequestData(
   }
   catch (const std::exception& e)
   {
-    // Bad input is found on all ranks alike. What else fails, such as memory, may fail on one
-    // alone; then only ending the job keeps the others from waiting for ever.
+    // Bad input is found on all ranks alike. Anything else, such as a lack of memory, may fail on
+    // one rank alone; then only the end of the job keeps the others from waiting for ever.
     if (ranks.Size() > 1 && !dynamic_cast<const std::invalid_argument*>(&e))
     {
       vtkErrorMacro(<< this->GetLabel() << ": rank " << ranks.Rank()
                     << " cannot go on: " << e.what());
       throw;
     }
-    // Empty outputs rather than a failed request, after which the filters downstream would keep
-    // their former results
+    // Outputs become empty instead of the request failing, after which the filters downstream would
+    // keep their former results
     clear();
     if (ranks.Rank() == 0)
     {

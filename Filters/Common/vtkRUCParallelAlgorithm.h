@@ -25,7 +25,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The ranks that work together; the global controller unless set. */
+  /**
+   * The ranks that work together. They are those of the global controller unless another is set.
+   */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const { return this->Controller; }
   ///@}
@@ -34,7 +36,7 @@ protected:
   vtkRUCParallelAlgorithm();
   ~vtkRUCParallelAlgorithm() override;
 
-  /** The name that error messages and progress carry: the label in the menu. */
+  /** The name in error messages and progress, which is the label in the menu. */
   virtual const char* GetLabel() const = 0;
 
   /**

@@ -30,8 +30,8 @@ int vtkRUCRegionAlgorithm::FillInputPortInformation(int port, vtkInformation* in
   {
     return this->Superclass::FillInputPortInformation(port, info);
   }
-  // A composite image is refused as one without voxels; else the pipeline would go through its
-  // blocks
+  // A composite image is taken, to be refused as one without voxels; else the pipeline would go
+  // through its blocks
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -45,8 +45,8 @@ bool vtkRUCRegionAlgorithm::HasMask()
 
 ruc::Estimate vtkRUCRegionAlgorithm::EstimateRegion()
 {
-  constexpr double bytesPerVoxel = 4.0;   // sent, received and put together
-  constexpr double bytesOfErosion = 11.0; // with the distance from the border
+  constexpr double bytesPerVoxel = 4.0;   // to send it, receive it and put the mask together
+  constexpr double bytesOfErosion = 11.0; // the same, with the distance from the border
   vtkInformation* info = this->HasMask() ? this->GetInputInformation(1, 0) : nullptr;
   vtkImageData* piece = info ? vtkImageData::GetData(info) : nullptr;
   const auto voxelsOf = [](const int* extent)
@@ -58,7 +58,7 @@ ruc::Estimate vtkRUCRegionAlgorithm::EstimateRegion()
     }
     return voxels;
   };
-  // Of the whole image where its source tells it, at least of what is on this rank
+  // Those of the whole image where its source tells them, and at least those that are on this rank
   double voxels = piece ? voxelsOf(piece->GetExtent()) : 0.0;
   if (info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
   {

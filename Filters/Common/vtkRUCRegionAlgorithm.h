@@ -4,12 +4,12 @@
  * @class vtkRUCRegionAlgorithm
  * @brief What the filters that sample a region of a sphere pack have in common
  *
- * Sampled are the points of a region: the pack's window (vtkRUCPackAlgorithm) without a margin in
- * which spheres with centres beyond the window, which are unknown, may lie; or the voxels of a mask
- * image, on the optional second input, without such a margin. Along periodic axes there is none.
+ * The points of a region are sampled: those of the pack's window (vtkRUCPackAlgorithm) or of a mask
+ * image, on the optional second input, without a margin along its border, into which spheres with
+ * unknown centres beyond the border may reach. Periodic axes have no border.
  *
- * A point in several spheres belongs to the lowest of their modes: overlaps count once. Results
- * depend on the seed, and on nothing else: not on ranks and threads.
+ * A point in several spheres belongs to the lowest of their modes, so that overlaps count once.
+ * Results depend on the seed, but not on the number of ranks and threads.
  */
 #ifndef vtkRUCRegionAlgorithm_h
 #define vtkRUCRegionAlgorithm_h
@@ -38,31 +38,37 @@ public:
 
   /**
    * A label or 0/1 image whose voxels (cells, or boxes of the spacing's size around points) are
-   * sampled. It takes the place of the window for the sampled methods; the pack must not be
+   * sampled. It takes the place of the window for the sampled methods. The pack must not be
    * periodic.
    */
   void SetMaskConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
 
   ///@{
-  /** Array of the mask, of one component. Default: "", the first of its points, else of its cells.
+  /**
+   * The array of the mask, which must have one component. Default: "", which stands for the first
+   * such array of its points, or else of its cells.
    */
   vtkSetStdStringFromCharMacro(MaskArray);
   vtkGetCharFromStdStringMacro(MaskArray);
   ///@}
   ///@{
-  /** Value of the voxels that are inside. Default: 0, all voxels of another value than 0.
-   * A value that is not a number is outside. */
+  /**
+   * The value of the voxels that are inside. Default: 0, which stands for all values but 0. A value
+   * that is not a number is outside.
+   */
   vtkSetMacro(MaskLabel, int);
   vtkGetMacro(MaskLabel, int);
   ///@}
   ///@{
-  /** Thickness of the margin of window or mask that is not sampled; 0 where every sphere that
-   * reaches in is known. Default: -1, the largest radius. */
+  /**
+   * The thickness of the margin of window or mask that is not sampled. It may be 0 where every
+   * sphere that reaches in is known. Default: -1, which stands for the largest radius.
+   */
   vtkSetMacro(WindowMargin, double);
   vtkGetMacro(WindowMargin, double);
   ///@}
   ///@{
-  /** Seed of the samples, >= 0. Default: 1. */
+  /** The seed of the samples, >= 0. Default: 1. */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}
@@ -74,18 +80,20 @@ protected:
 
   bool HasMask();
 
-  /** The mask, which every rank holds while a region is made of it. */
+  /** Returns the memory of the mask, which every rank holds while a region is made of it. */
   ruc::Estimate EstimateRegion() override;
 
-  /** Collective; the same region on every rank. Throws std::invalid_argument where nothing is left
-   * of it. */
+  /**
+   * Returns the region, the same on every rank. Throws std::invalid_argument where nothing is left
+   * of it. Collective.
+   */
   std::unique_ptr<ruc::SamplingRegion> MakeRegion(
     const PackData::SharedPack& pack, RankCommunicator& ranks);
 
-  /** The seed; throws std::invalid_argument where it is negative. */
+  /** Returns the seed. Throws std::invalid_argument where it is negative. */
   std::uint32_t GetCheckedSeed() const;
 
-  /** `Seed`, `Mask` or not, `WindowMargin` and `SampledVolume`. */
+  /** Adds the field data `Seed`, `Mask` (1 or 0), `WindowMargin` and `SampledVolume`. */
   void AddRegionSummary(vtkDataObject* data, const ruc::SamplingRegion& region);
 
 private:
@@ -96,7 +104,7 @@ private:
   int MaskLabel = 0;
   double WindowMargin = -1.0;
   int Seed = 1;
-  double UsedMargin = 0.0; // of the last region
+  double UsedMargin = 0.0; // the margin of the last region
 };
 
 #endif

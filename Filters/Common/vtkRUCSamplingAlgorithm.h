@@ -5,8 +5,9 @@
  * @brief What the filters with chord and template sampling have in common
  *
  * Chord Sampling takes grids of parallel lines of random directions through the region
- * (vtkRUCRegionAlgorithm), Template Sampling throws the paper's template of points (Fig. 4 of Lee
- * et al., Phys. Rev. E 80, 061301, 2009). Standard errors come from batches of samples.
+ * (vtkRUCRegionAlgorithm). Template Sampling throws the paper's template of points (Fig. 4 of Lee
+ * et al., Phys. Rev. E 80, 061301, 2009). Standard errors come from the scatter of batches of
+ * samples, and have the unit of the values.
  */
 #ifndef vtkRUCSamplingAlgorithm_h
 #define vtkRUCSamplingAlgorithm_h
@@ -26,21 +27,23 @@ public:
 
   ///@{
   /**
-   * Lines that Chord Sampling takes, about, >= 1: in 64 grids of random direction, or more where
-   * the lines of one would lie closer than the spheres. Field data `NumberOfLines` tells how many
-   * it were. Default: 20 000.
+   * About how many lines Chord Sampling takes, >= 1. They lie in 64 grids of random direction, or
+   * in more where the lines of a grid would be closer to each other than the spheres. Field data
+   * `NumberOfLines` tells how many lines there were. Default: 20 000.
    */
   vtkSetMacro(NumberOfLines, int);
   vtkGetMacro(NumberOfLines, int);
   ///@}
   ///@{
-  /** Throws that Template Sampling takes, >= 1. Default: 2000. */
+  /** How many throws Template Sampling takes, >= 1. Default: 2000. */
   vtkSetMacro(NumberOfThrows, int);
   vtkGetMacro(NumberOfThrows, int);
   ///@}
   ///@{
-  /** > 0: samples are taken until the standard errors add up to this, instead of a number of them;
-   * the filters say how they add up. Default: 0. */
+  /**
+   * Where this is > 0, samples are taken until the standard errors add up to it, instead of a given
+   * number of samples. The filters say how the errors add up. Default: 0.
+   */
   vtkSetMacro(TargetError, double);
   vtkGetMacro(TargetError, double);
   ///@}
@@ -49,7 +52,7 @@ protected:
   vtkRUCSamplingAlgorithm() = default;
   ~vtkRUCSamplingAlgorithm() override = default;
 
-  /** For NumberOfLines or, `throws`, NumberOfThrows. */
+  /** Returns the settings with NumberOfLines, or, for `throws`, with NumberOfThrows. */
   ruc::SamplingSettings GetSettings(bool throws) const;
 
 private:

@@ -21,7 +21,7 @@ namespace
 {
 bool IsWished = false;
 
-// The socket to the client that waits for this server; -1 where there is none
+// The socket to the client that waits for this server, or -1 where there is none
 int ClientSocket()
 {
   vtkProcessModule* module = vtkProcessModule::GetProcessModule();
@@ -63,7 +63,7 @@ bool vtkRUCStopRequest::IsPending()
     // an answer.
     std::vector<char> waiting(1 << 16);
     const ssize_t size =
-      recv(socket, waiting.data(), waiting.size(), MSG_PEEK | MSG_DONTWAIT); // -1: none
+      recv(socket, waiting.data(), waiting.size(), MSG_PEEK | MSG_DONTWAIT); // -1 for nothing
     const char* token = Token();
     const auto end = waiting.begin() + std::max<ssize_t>(size, 0);
     IsWished = std::search(waiting.begin(), end, token, token + std::strlen(token)) != end;

@@ -31,8 +31,8 @@ constexpr double DefaultDepositionDegree = 0.25;
  *
  * A sphere that finds no place in 10 000 draws takes the one of them that exceeds the degree least,
  * so that the deposition always ends. Then, and only then, BallisticDeposition::Degree is above
- * `degree`. `carryOn` is called every thousand draws; when it returns false, the deposition is given
- * up and has no centres. Throws std::invalid_argument for a degree out of range.
+ * `degree`. `carryOn` is called every thousand draws; when it returns false, the deposition is
+ * given up and has no centres. Throws std::invalid_argument for a degree out of range.
  */
 BallisticDeposition DepositBallistically(
   const std::vector<double>& radii, double edge, std::uint32_t seed, std::uint32_t number,
