@@ -10,10 +10,9 @@
 namespace MeasuredLags
 {
 /**
- * The lags for the properties MaximumLag, `maximum`, and NumberOfLags, `count`. They
- * are those of ruc::LagLimit for sums over pairs where `region` is null, else for lines and throws
- * in that region of the window or mask. Throws std::invalid_argument for numbers out
- * of range.
+ * Returns the lags for the properties MaximumLag, `maximum`, and NumberOfLags, `count`. They are
+ * those of ruc::LagLimit for sums over pairs where `region` is null, else for lines and throws in
+ * that region of the window or mask. Throws std::invalid_argument for numbers out of range.
  */
 ruc::LagGrid Find(double maximum, int count, const ruc::PackShare& share,
   const ruc::SamplingRegion* region = nullptr, bool hasMask = false);

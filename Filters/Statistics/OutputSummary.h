@@ -12,7 +12,10 @@
 
 class RankCommunicator;
 
-/** What the outputs of the filters tell of how they came about, beside PackData's field data. */
+/**
+ * What the outputs of the filters tell about how they came about, besides the field data of
+ * PackData.
+ */
 namespace OutputSummary
 {
 /** Calls add(data) for every output of a filter. */
@@ -31,17 +34,19 @@ struct Samples
   const char* Name; // "NumberOfLines" or "NumberOfThrows"
   std::int64_t Number;
   double TotalError;
-  bool Stopped; // before there were as many as wanted
+  bool Stopped; // whether sampling ended before there were as many as wanted
 };
 
-/** `NumberOfLags` and `MaximumLag`, also where that was automatic. */
+/** Adds the field data `NumberOfLags` and `MaximumLag`, which may have been automatic. */
 void AddLags(vtkDataObject* data, const ruc::LagGrid& lags);
 
-/** The number of samples under its name, `TotalError` and `Stopped`. */
+/** Adds the number of samples under its name, `TotalError` and `Stopped`. */
 void AddSamples(vtkDataObject* data, const Samples& samples);
 
-/** Warn on rank 0 in the name of the filter: that sampling was stopped early, if it was, and that
- * spheres overlap by more than sums over pairs tolerate, if they do. */
+/**
+ * Warn on rank 0, in the name of the filter, that sampling was stopped early, if it was, and that
+ * spheres overlap by more than sums over pairs tolerate, if they do.
+ */
 void WarnOfStop(vtkObject* filter, const char* label, bool stopped, const RankCommunicator& ranks);
 void WarnOfOverlap(
   vtkObject* filter, const char* label, double percent, const RankCommunicator& ranks);

@@ -10,14 +10,22 @@
 /** What the estimates of the filters that measure functions of one lag have in common. */
 namespace StatisticsEstimate
 {
-/** MeasuredLags::Find, about, from figures of the pack; `exact`: for sums over pairs. */
+/**
+ * Returns about the lags of MeasuredLags::Find, from figures of the pack; with `exact`, those for
+ * sums over pairs.
+ */
 ruc::LagGrid FindLags(double maximum, int count, const ruc::PackFigures& pack, bool exact);
 
-/** What comes before the work on the lags: the pack is shared out. Tells what MaximumLag = 0 stands
- * for. */
+/**
+ * Returns what comes before the work on the lags, which is to share the pack out, and tells what
+ * MaximumLag = 0 stands for.
+ */
 ruc::Estimate OfPack(const ruc::PackFigures& pack, double maximum, const ruc::LagGrid& lags);
 
-/** How many samples the settings ask for; none where there are no such samples, and not a number
- * where only samples tell, because a TargetError is asked for: the memory is known then. */
+/**
+ * Returns the number of samples that the settings ask for, or none where there can be no such
+ * samples. It is not a number where a TargetError is asked for, so that only samples tell it: the
+ * memory is known then, but not the time.
+ */
 std::optional<double> NumberOfSamples(const ruc::SamplingSettings& settings);
 }

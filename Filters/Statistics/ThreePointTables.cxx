@@ -41,7 +41,7 @@ struct Checks
   }
 };
 
-// "S_3_5_5_r1_axis"
+// The name of a column, such as "S_3_5_5_r1_axis"
 std::string ColumnName(const std::string& triple, std::string place)
 {
   std::replace(place.begin(), place.end(), ' ', '_');

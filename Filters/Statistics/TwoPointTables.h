@@ -15,11 +15,13 @@ class vtkTable;
 /** The tables of the filters of two-point statistics, whose columns are documented there. */
 namespace TwoPointTables
 {
-/** Errors may be empty, of an exact method. */
+/** The errors may be empty, as they are for an exact method. */
 void FillProbabilities(const ruc::SampledTwoPoint& measured, vtkTable* table);
-/** `asymmetry` of a sampled method, SampledTwoPoint; empty of an exact one. Of the errors at zero
- * and the asymmetry the table has what is not 0 by construction: these of an exact, that of a
- * sampled method. */
+/**
+ * `asymmetry` is that of a sampled method (SampledTwoPoint), and empty for an exact one. Of the
+ * errors at zero and the asymmetry, the table has what is not 0 by construction: the errors at zero
+ * of an exact method, the asymmetry of a sampled one.
+ */
 void FillChecks(const ruc::TwoPointProbability& probability,
   const std::vector<ruc::TwoPointCheck>& checks, const std::vector<double>& asymmetry,
   vtkTable* table);

@@ -5,14 +5,15 @@
  * @brief Chord-length densities and lineal-path functions of a sphere pack
  *
  * Input: a sphere pack with `Mode` (vtkRUCPackAlgorithm) and an optional mask
- * (vtkRUCRegionAlgorithm). Random lines through the region are cut into chords: the longest
+ * (vtkRUCRegionAlgorithm). Random lines through the region are cut into chords, the longest
  * intervals that lie in one phase. Overlaps count once.
  *
- * Output, whole on rank 0: the table `r`, `p_1`, …, `p_m` (chord-length probability densities, in
- * 1 / length), `L_1`, …, `L_m` (lineal-path functions: the probability that a segment of length r
- * lies in the phase), then their standard errors `p_1_error`, …; field data `MeanChordLength` of
- * every phase. See Core/Statistics/Sampling/ChordLengths.h. TargetError is that of the S_rs that
- * the same lines give, as vtkRUCTwoPointProbability adds it up.
+ * The output, whole on rank 0, is a table with the columns `r`; `p_1`, …, `p_m`, the chord-length
+ * probability densities in 1 / length; `L_1`, …, `L_m`, the lineal-path functions, which are the
+ * probability that a segment of length r lies in the phase; and their standard errors `p_1_error`,
+ * …, `L_1_error`, … in the same units. Field data `MeanChordLength` has a number for every phase.
+ * See Core/Statistics/Sampling/ChordLengths.h. TargetError bounds the sum of standard errors of the
+ * S_rs that the same lines give, as in vtkRUCTwoPointProbability.
  */
 #ifndef vtkRUCChordLengths_h
 #define vtkRUCChordLengths_h
@@ -29,9 +30,9 @@ public:
 
   ///@{
   /**
-   * The greatest length, at most the shortest edge of the window or mask less twice the margin, or
-   * four shortest edges of a periodic box. Default: 0, half the shortest edge, or the largest
-   * length there is.
+   * The greatest length. It is at most the shortest edge of the window or mask less twice the
+   * margin, or four shortest edges of a periodic box. Default: 0, which stands for half the
+   * shortest edge, or for the largest length there is if that is less.
    */
   vtkSetMacro(MaximumLag, double);
   vtkGetMacro(MaximumLag, double);

@@ -45,7 +45,7 @@ void RequireSameGrid(const ruc::TwoPointProbability& a, const ruc::TwoPointProba
     throw std::invalid_argument(
       ruc::Text("Cell requires the modes of the input, ", a.Modes, ", got ", b.Modes, "."));
   }
-  // Both may be rounded
+  // The lags of both may be rounded
   if (a.Lags.Count != b.Lags.Count ||
     std::abs(a.Lags.Spacing - b.Lags.Spacing) > 2.0 * ProbabilityTable::Rounding * a.Lags.Spacing)
   {
@@ -79,7 +79,8 @@ bool IsError(const std::string& name)
   return name.size() > 6 && name.compare(name.size() - 6, 6, "_error") == 0;
 }
 
-// The arrays of both images; on a rank without points, which may have none, those of the others
+// The names of the arrays that both images have. A rank without points, which may have no arrays,
+// gets those of the others.
 std::vector<std::string> CommonArrays(
   vtkImageData* pack, vtkImageData* cell, RankCommunicator& ranks)
 {
@@ -128,8 +129,8 @@ int FindExponent(vtkDataArray* a, vtkDataArray* b, RankCommunicator& ranks)
   return negative < 0.0 ? std::ilogb(-negative) + 1 : 0;
 }
 
-// A sum that is the same in whatever order and on however many ranks it is taken, of numbers of
-// magnitude below 8
+// A sum of numbers of magnitude below 8 that is the same in whatever order and on however many
+// ranks it is taken
 class OrderlessSum
 {
 public:
@@ -148,7 +149,7 @@ private:
   std::int64_t Limbs[2] = { 0, 0 };
 };
 
-// Norms over all points of both images and of their difference, and its largest magnitude
+// The norms, over all points, of both images and of their difference, and its largest magnitude
 struct ImageComparison
 {
   double Pack = 0.0, Cell = 0.0, Difference = 0.0, Largest = 0.0;
@@ -193,7 +194,7 @@ ImageComparison CompareArrays(vtkDataArray* a, vtkDataArray* b, const std::strin
   return { norm(norms[0]), norm(norms[1]), norm(norms[2]), -negative };
 }
 
-// Standard errors of both, added as the root of the sum of their squares
+// Adds the standard errors of both as the root of the sum of their squares
 void AddErrors(vtkDataArray* a, vtkDataArray* b, const std::string& name, vtkImageData* image)
 {
   vtkIdType place = 0;

@@ -28,7 +28,7 @@ vtkStandardNewMacro(vtkRUCDirectionalProbability);
 namespace
 {
 const char* const MethodNames[] = { "Exact Pair Sum", "Chord Sampling" };
-// A value and its error, in the result and in the table, of half of the ordered pairs
+// For half of the ordered pairs of phases a value and its error, in the result and in the table
 constexpr double BytesPerValue = 16.0;
 constexpr double BytesPerVector = 100.0;
 }

@@ -9,17 +9,18 @@
  * in phase s, the mean over n and -n. An isotropic pack has the same function along every
  * direction; how far the functions are apart tells the anisotropy.
  *
- * Exact Pair Sum: the closed form for spheres that do not overlap
- * (Core/Statistics/PairSums/DirectionalProbability.h). Chord Sampling, for spheres that may overlap
- * and any window: NumberOfLines lines of every direction (Core/Statistics/Sampling/
- * ChordSampling.h), or as many as a TargetError takes along each; the field data `NumberOfLines`
- * adds them up, and `TotalError` is the largest of the directions'.
+ * Exact Pair Sum is the closed form for spheres that do not overlap
+ * (Core/Statistics/PairSums/DirectionalProbability.h). Chord Sampling is for spheres that may
+ * overlap and for any window: it takes NumberOfLines lines along every direction
+ * (Core/Statistics/Sampling/ChordSampling.h), or as many as a TargetError takes along each. The
+ * field data `NumberOfLines` adds them up, and `TotalError` is the largest of all directions.
  *
- * Outputs, whole on rank 0: 0 isotropy: `r`, `sigma_S_1_1`, … the standard deviation of S_rs(r n)
- * over the directions n (Fig. 6b) and, for Chord Sampling, `sigma_S_1_1_noise`, … what sampling
- * errors alone would make of it; 1 directions: `Direction`, `nx`, `ny`, `nz`, `r`, `S_1_1`, …, a
- * row for each direction and lag, and standard errors for Chord Sampling. The figure is that of Lee
- * et al., Phys. Rev. E 80, 061301 (2009).
+ * The outputs are tables, whole on rank 0. Output 0 is the isotropy: `r`; `sigma_S_1_1`, …, the
+ * standard deviation of S_rs(r n) over the directions n (Fig. 6b of Lee et al., Phys. Rev. E 80,
+ * 061301, 2009); and, for Chord Sampling, `sigma_S_1_1_noise`, …, the part that sampling errors
+ * alone would cause. Output 1 has a row for each direction and lag: `Direction` (its number from
+ * 0), `nx`, `ny`, `nz`, `r`, `S_1_1`, … and, for Chord Sampling, the standard errors `S_1_1_error`,
+ * ….
  */
 #ifndef vtkRUCDirectionalProbability_h
 #define vtkRUCDirectionalProbability_h
@@ -63,13 +64,15 @@ public:
   vtkGetMacro(Method, int);
   ///@}
   ///@{
-  /** Directions, spread evenly over the half sphere, >= 2. Default: 32. */
+  /** The number of directions, which are spread evenly over the half sphere; >= 2. Default: 32. */
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
   ///@}
   ///@{
-  /** The last lag, as vtkRUCTwoPointProbability has it. Default: 0, half the shortest edge, or the
-   * largest lag there is. */
+  /**
+   * The last lag, with the limits of vtkRUCTwoPointProbability. Default: 0, which stands for half
+   * the shortest edge, or for the largest lag there is if that is less.
+   */
   vtkSetMacro(MaximumLag, double);
   vtkGetMacro(MaximumLag, double);
   ///@}
@@ -92,7 +95,7 @@ private:
   void operator=(const vtkRUCDirectionalProbability&) = delete;
 
   void ValidateProperties();
-  // By the method: without a region the exact sum, else lines, which `samples` counts
+  // Measures by the exact sum where there is no region, else by lines, which `samples` counts
   ruc::DirectionalProbability Measure(const ruc::PackShare& share,
     const ruc::SamplingRegion* region, const ruc::LagGrid& lags, RankCommunicator& ranks,
     ProgressReport& report, OutputSummary::Samples& samples) const;

@@ -26,7 +26,7 @@ namespace
 {
 const char* const MethodNames[] = { "Sphere Volumes", "Chord Sampling", "Template Sampling" };
 
-// `errors` may be empty, where none are known
+// `errors` is empty where none are known
 void FillTable(
   const std::vector<double>& fractions, const std::vector<double>& errors, vtkTable* table)
 {

@@ -5,16 +5,17 @@
  * @brief Volume fractions of the phases of a sphere pack
  *
  * Input: a sphere pack with `Mode` (vtkRUCPackAlgorithm), and for the sampled methods an optional
- * mask (vtkRUCSamplingAlgorithm). Output, whole on rank 0: the table `Phase` ("1", "2", …, "m" for
- * the matrix), `VolumeFraction`, and of a sampled method `VolumeFraction_error` (standard error).
- * By how much the fractions of one pack differ from those of another is not known from Sphere
- * Volumes.
+ * mask (vtkRUCSamplingAlgorithm). The output, whole on rank 0, is a table with the columns `Phase`
+ * ("1", "2", …, and "m" for the matrix), `VolumeFraction` and, for a sampled method,
+ * `VolumeFraction_error`, the standard error, also a fraction. Sphere Volumes cannot tell by how
+ * much the fractions of one pack differ from those of another of its kind, and gives no errors.
  *
- * Sphere Volumes: c_r = volume of the spheres of mode r whose centres lie in the window / volume of
- * the window, c_m = 1 - sum c_r. Where spheres overlap the shared volume counts twice;
- * `OverlapPercent` tells how much that is.
- * Chord Sampling and Template Sampling: the share of the lines' length, or of the throws' centres,
- * that lies in phase r. TargetError bounds the sum of the standard errors over the phases.
+ * Sphere Volumes: c_r is the volume of the spheres of mode r whose centres lie in the window over
+ * the volume of the window, and c_m = 1 - sum c_r. Where spheres overlap, the shared volume counts
+ * twice; `OverlapPercent` tells how much that is.
+ *
+ * Chord Sampling and Template Sampling: c_r is the share of the lines' length, or of the throws'
+ * centres, that lies in phase r. TargetError bounds the sum of the standard errors over the phases.
  */
 #ifndef vtkRUCOnePointProbability_h
 #define vtkRUCOnePointProbability_h
@@ -62,7 +63,7 @@ private:
   void operator=(const vtkRUCOnePointProbability&) = delete;
 
   void ValidateProperties();
-  // By lines or throws, of which the table's field data tell
+  // Samples by lines or throws, and tells about them in the table's field data
   ruc::SampledTwoPoint Sample(const PackData::SharedPack& pack, vtkTable* table,
     RankCommunicator& ranks, ProgressReport& report);
 

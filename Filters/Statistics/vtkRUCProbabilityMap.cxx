@@ -29,7 +29,7 @@ vtkStandardNewMacro(vtkRUCProbabilityMap);
 
 namespace
 {
-// "1 1; 3 m" as phases counted from 0, the matrix last
+// Pairs such as "1 1; 3 m" as phases counted from 0, the matrix last
 std::vector<std::array<int, 2>> ParsePairs(const std::string& text, int modes)
 {
   const std::string required = ruc::Text(
@@ -63,7 +63,7 @@ int vtkRUCProbabilityMap::RequestInformation(
   const int extent[6] = { -n, n, -n, n, -n, n };
   image->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   image->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
-  // Known before the pack is only what was set; the data say it in any case
+  // Before the pack is known, only what was set is known; the data say it in any case
   const double spacing = this->Spacing > 0.0 ? this->Spacing
     : this->MaximumLag > 0.0                 ? this->MaximumLag / std::max(n, 1)
                                              : 1.0;

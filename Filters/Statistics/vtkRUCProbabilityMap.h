@@ -9,8 +9,8 @@
  * spheres that do not overlap (Core/Statistics/PairSums/ProbabilityMap.h). Phases are the modes
  * 1…N_p and the matrix m.
  *
- * Output: an image over the lag vectors x, with an array `S_m_m`, … for each of the PhasePairs, in
- * slabs over the ranks. Its centre is x = 0.
+ * The output is an image over the lag vectors x, with an array `S_m_m`, … for each of the
+ * PhasePairs, in slabs over the ranks. Its centre is x = 0.
  */
 #ifndef vtkRUCProbabilityMap_h
 #define vtkRUCProbabilityMap_h
@@ -34,26 +34,30 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Pairs of phases such as "1 1; 3 m; m m". Default: "m m". */
+  /** The pairs of phases, such as "1 1; 3 m; m m". Default: "m m". */
   vtkSetStdStringFromCharMacro(PhasePairs);
   vtkGetCharFromStdStringMacro(PhasePairs);
   ///@}
   ///@{
-  /** Lag vectors from the centre of the image to each of its faces, 1 to 1000. Default: 20, an
-   * image of 41^3. */
+  /**
+   * The number of lag vectors from the centre of the image to each of its faces, 1 to 1000.
+   * Default: 20, which gives an image of 41^3.
+   */
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int);
   ///@}
   ///@{
-  /** Distance of the lag vectors. Default: 0, MaximumLag / Resolution. */
+  /**
+   * The distance of neighbouring lag vectors. Default: 0, which stands for MaximumLag / Resolution.
+   */
   vtkSetMacro(Spacing, double);
   vtkGetMacro(Spacing, double);
   ///@}
   ///@{
   /**
-   * The largest lag along each axis, unless there is a Spacing. Default: 0, half the shortest edge
-   * of the window, as vtkRUCTwoPointProbability has it. The image reaches less far where a window
-   * without periodic axes does not hold its corners (ruc::LagLimit::ForMap).
+   * The largest lag along each axis, where Spacing is 0. Default: 0, which stands for half the
+   * shortest edge of the window, as in vtkRUCTwoPointProbability. The image reaches less far where
+   * a window without periodic axes does not hold its corners (ruc::LagLimit::ForMap).
    */
   vtkSetMacro(MaximumLag, double);
   vtkGetMacro(MaximumLag, double);
@@ -74,9 +78,9 @@ private:
   void operator=(const vtkRUCProbabilityMap&) = delete;
 
   void ValidateProperties() const;
-  // From the centre of the image to its faces
+  // The distance from the centre of the image to its faces
   double FindReach(const ruc::PackShare& share) const;
-  // The map is the same on all ranks, of which each takes its slab
+  // Fills this rank's slab; the map is the same on all ranks
   void FillImage(const ruc::ProbabilityMap& map, int modes, const RankCommunicator& ranks,
     vtkInformationVector* outputs) const;
 

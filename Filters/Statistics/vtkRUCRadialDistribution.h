@@ -8,9 +8,9 @@
  * s at the distance r from a centre of mode r, over their density in the whole window. Centres that
  * were placed independently have g = 1.
  *
- * Output, whole on rank 0: the table `r`, `g_1_1`, `g_1_2`, …, a column for each unordered pair of
- * modes, and `g` of all centres, whatever their mode. A row is a bin of the width MaximumLag /
- * NumberOfLags around r. See Core/Statistics/PairSums/RadialDistribution.h.
+ * The output, whole on rank 0, is a table with the columns `r`; `g_1_1`, `g_1_2`, …, one for each
+ * unordered pair of modes; and `g` of all centres, whatever their mode. A row is a bin of the width
+ * MaximumLag / NumberOfLags around r. See Core/Statistics/PairSums/RadialDistribution.h.
  */
 #ifndef vtkRUCRadialDistribution_h
 #define vtkRUCRadialDistribution_h
@@ -27,9 +27,9 @@ public:
 
   ///@{
   /**
-   * The last distance, at most the shortest non-periodic edge of the window less half a bin, or
-   * four shortest edges of a periodic box. Default: 0, half the shortest edge, as
-   * vtkRUCTwoPointProbability has it.
+   * The last distance. It is at most the shortest edge of the window that is not periodic less half
+   * a bin, or four shortest edges of a periodic box. Default: 0, which stands for half the shortest
+   * edge, as in vtkRUCTwoPointProbability.
    */
   vtkSetMacro(MaximumLag, double);
   vtkGetMacro(MaximumLag, double);

@@ -59,7 +59,7 @@ int vtkRUCThreePointProbability::RequestInformation(
   const int extent[6] = { 0, lags, 0, lags, 0, directions / 2 };
   image->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   image->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
-  // Known before the pack is only what was set; the data say it in any case
+  // Before the pack is known, only what was set is known; the data say it in any case
   const double spacing = this->MaximumLag > 0.0 && lags > 0 ? this->MaximumLag / lags : 1.0;
   image->Set(vtkDataObject::SPACING(), spacing, spacing, 360.0 / directions);
   return this->Superclass::RequestInformation(request, inputs, outputs);
@@ -84,7 +84,8 @@ double vtkRUCThreePointProbability::GetEstimatedMemory()
     vtkDataArray* modes = input
       ? PackData::FindArray(input->GetPointData(), "Mode", input->GetNumberOfPoints())
       : nullptr;
-    // Without data every mode may be there, unless all are asked for
+    // Without data any mode may exist, so that triples are counted as they stand, but "all" is not
+    // known
     const bool known = modes && modes->GetNumberOfTuples() > 0;
     const int number = known ? static_cast<int>(modes->GetRange(0)[1]) : 999999;
     if (!known && this->Phases.find("all") != std::string::npos)

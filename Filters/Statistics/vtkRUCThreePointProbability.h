@@ -6,29 +6,36 @@
  *
  * Input: a sphere pack with `Mode` (vtkRUCPackAlgorithm) and an optional mask
  * (vtkRUCRegionAlgorithm). S_rsq(r1, r2, theta) is the probability that a point x lies in phase r,
- * x + r1 u in phase s and x + r2 v in phase q, theta being the angle between the directions u and
- * v, averaged over x and over the orientation of the plane of u and v; phases are the modes 1…N_p
- * and the matrix m. Raw normalisation: S_rrr(0, 0, .) = c_r. S_rqs(r1, r2) = S_rsq(r2, r1).
+ * x + r1 u in phase s and x + r2 v in phase q, where theta is the angle between the directions u
+ * and v, averaged over x and over the orientation of the plane of u and v. Phases are the modes
+ * 1…N_p and the matrix m. The normalisation is raw: S_rrr(0, 0, .) = c_r. S_rqs(r1, r2) = S_rsq(r2,
+ * r1).
  *
- * A throw is a random point and a random plane with NumberOfDirections rays evenly around a circle,
- * which are traced through the spheres; all pairs of points on all pairs of rays count
- * (Core/Statistics/FanSampling.h). Overlaps count once.
+ * A throw is a random point and a random plane with NumberOfDirections rays spaced evenly around a
+ * circle, which are traced through the spheres. All pairs of points on all pairs of rays count
+ * (Core/Statistics/Sampling/FanSampling.h). Overlaps count once.
  *
- * Outputs: 0 an image over (r1, r2, theta), spacing (lag spacing, lag spacing, 360 / directions in
- * degrees), with an array `S_3_5_5` for each triple and, with StandardErrors, `S_3_5_5_error`; in
- * slabs over the ranks. Tables, whole on rank 0: 1 limits (10): `r` and, for each triple,
- * `S_3_5_5_r1_axis` (r2 = 0), `S_3_5_5_r2_axis` (r1 = 0) and `S_3_5_5_diagonal` (r1 = r2 at theta =
- * 0), each followed by `…_limit`, which is a two-point function or 0, and `…_error`; 2 checks, a
- * row for each triple and limit: `Triple`, `Place`, `Limit`, `Difference` (discrete norm over the
- * lags k = 1…K of S_rsq - limit; for the place "far apart", both points at the last lag in opposite
- * directions, the magnitude of the difference) and with StandardErrors `StandardError` (norm of the
- * standard errors); 3 third-order parameters of every triple r = s = q: `Phase` (m, and all but m),
- * `VolumeFraction`, `zeta`, `eta`, `zeta_error`, `eta_error`
- * (Core/Statistics/ThirdOrderParameters.h).
+ * Output 0 is an image over (r1, r2, theta), in slabs over the ranks, with the spacing (lag
+ * spacing, lag spacing, 360 / NumberOfDirections in degrees). It has an array `S_3_5_5` for each
+ * triple and, with StandardErrors, `S_3_5_5_error`, an absolute probability as well. The other
+ * outputs are tables, whole on rank 0.
  *
- * The two-point functions of the limits are the exact pair sum; where spheres overlap, and with a
- * mask, Chord Sampling of the same region with 20 000 lines. Field data `LimitMethod` says which.
- * Equation 10 is that of Lee et al., Phys. Rev. E 80, 061301 (2009).
+ * Output 1 has the limits (10): `r` and, for each triple, `S_3_5_5_r1_axis` (r2 = 0),
+ * `S_3_5_5_r2_axis` (r1 = 0) and `S_3_5_5_diagonal` (r1 = r2 at theta = 0), each followed by
+ * `…_limit`, which is a two-point function or 0, and, with StandardErrors, by `…_error`.
+ *
+ * Output 2 has the checks, a row for each triple and limit: `Triple`, `Place`, `Limit`,
+ * `Difference` (the discrete norm of S_rsq - limit over the lags k = 1…K; for the place "far
+ * apart", where both points are at the last lag in opposite directions, the magnitude of the
+ * difference) and, with StandardErrors, `StandardError` (the norm of the standard errors).
+ *
+ * Output 3 has the third-order parameters of every triple r = s = q
+ * (Core/Statistics/ThirdOrder/ThirdOrderParameters.h): `Phase` (m, and all but m),
+ * `VolumeFraction`, `zeta`, `eta` and, with StandardErrors, `zeta_error` and `eta_error`.
+ *
+ * The two-point functions of the limits are those of the exact pair sum, or, where spheres overlap
+ * and with a mask, of Chord Sampling of the same region with 20 000 lines. Field data `LimitMethod`
+ * says which. Equation 10 is that of Lee et al., Phys. Rev. E 80, 061301 (2009).
  */
 #ifndef vtkRUCThreePointProbability_h
 #define vtkRUCThreePointProbability_h
@@ -67,17 +74,19 @@ public:
   };
 
   ///@{
-  /** Triples of phases such as "3 5 5; 7 7 5; m m m", or "all" (every r and s <= q). Default: "m m
-   * m". */
+  /**
+   * The triples of phases, such as "3 5 5; 7 7 5; m m m", or "all" (every r and s <= q). Default:
+   * "m m m".
+   */
   vtkSetStdStringFromCharMacro(Phases);
   vtkGetCharFromStdStringMacro(Phases);
   ///@}
   ///@{
   /**
-   * The last lag of r1 and r2. Default: 0, a quarter of the shortest edge of the window (of a
-   * cylinder: of the lesser of diameter and height; half of it where all axes are periodic), or the
-   * largest lag there is: half of the shortest edge less twice the margin; four shortest edges of a
-   * fully periodic box.
+   * The last lag of r1 and r2. Default: 0, which stands for a quarter of the shortest edge of the
+   * window (of a cylinder, of the lesser of diameter and height; half of it where all axes are
+   * periodic), or for the largest lag there is if that is less. The largest lag is half of the
+   * shortest edge less twice the margin, or four shortest edges of a fully periodic box.
    */
   vtkSetMacro(MaximumLag, double);
   vtkGetMacro(MaximumLag, double);
@@ -88,18 +97,20 @@ public:
   vtkGetMacro(NumberOfLags, int);
   ///@}
   ///@{
-  /** Rays around a circle, 2 to 512: theta goes in steps of 360 / this. An even number >= 8 gives
-   * third-order parameters. Default: 20, steps of 18 degrees. */
+  /**
+   * The number of rays around a circle, 2 to 512; theta goes in steps of 360 / NumberOfDirections
+   * degrees. An even number >= 8 gives third-order parameters. Default: 20, steps of 18 degrees.
+   */
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
   ///@}
   ///@{
-  /** Throws, >= 1. Default: 50 000. */
+  /** The number of throws, >= 1. Default: 50 000. */
   vtkSetMacro(NumberOfThrows, int);
   vtkGetMacro(NumberOfThrows, int);
   ///@}
   ///@{
-  /** Whether standard errors are wanted; they take three times the memory. Default: off. */
+  /** Whether standard errors are wanted. They take about twice the memory. Default: off. */
   vtkSetMacro(StandardErrors, bool);
   vtkGetMacro(StandardErrors, bool);
   vtkBooleanMacro(StandardErrors, bool);
@@ -107,8 +118,8 @@ public:
 
   /**
    * What a rank would use, in megabytes of 10^6 bytes, with the properties as they are, in a region
-   * with a border (a fully periodic box takes a little less); "all" counts for the modes of the
-   * input as it was last updated. 0 where that is not known.
+   * with a border (a fully periodic box takes a little less). "all" counts for the modes of the
+   * input as it was last updated. It is 0 where it is not known.
    */
   double GetEstimatedMemory() override;
 
@@ -121,29 +132,29 @@ protected:
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
   std::optional<ruc::Estimate> MakeEstimate() override;
-  /** The mask's; that of counts and image is checked once the triples are known. */
+  /** The memory of the mask. That of counts and image is checked once the triples are known. */
   double GetMemoryToCheck() override;
 
 private:
   vtkRUCThreePointProbability(const vtkRUCThreePointProbability&) = delete;
   void operator=(const vtkRUCThreePointProbability&) = delete;
 
-  // Megabytes a rank
+  // The megabytes of a rank
   double EstimateMemory(std::size_t triples, bool bounded, int ranks) const;
-  // The lags, also where they are automatic, and the angles
+  // Returns the lags, also where they are automatic, and the angles
   ruc::ThreePointGrid FindGrid(const ruc::PackShare& share, const ruc::SamplingRegion& region);
   ruc::FanSettings MakeSettings() const;
-  // Refuses what cannot be done or would take more than MemoryLimit; returns what it takes
+  // Refuses what cannot be done or would take more than MemoryLimit, and returns what it takes
   double CheckWork(const ruc::SamplingRegion& region, const ruc::ThreePointGrid& grid,
     std::size_t triples, const RankCommunicator& ranks);
   ruc::ThreePointProbability Sample(const ruc::PackShare& share, const ruc::SamplingRegion& region,
     const ruc::ThreePointGrid& grid, const std::vector<ruc::PhaseTriple>& triples, double memory,
     RankCommunicator& ranks, ProgressReport& report) const;
   bool WasStopped(const ruc::ThreePointProbability& probability) const;
-  // How the functions were measured, as field data
+  // Adds field data that tell how the functions were measured
   void AddSummary(const ruc::ThreePointProbability& probability, bool exact, double memory,
     vtkDataObject* data) const;
-  // For the limits
+  // Measures the two-point functions of the limits
   ruc::TwoPointProbability MeasureTwoPoint(const PackData::SharedPack& pack, bool exact,
     const ruc::SamplingRegion& region, const ruc::LagGrid& lags, RankCommunicator& ranks,
     ProgressReport& report) const;

@@ -112,7 +112,7 @@ ruc::SampledTwoPoint vtkRUCTwoPointProbability::Measure(const ruc::PackShare& sh
     case TEMPLATE_SAMPLING:
       return ruc::SampleTemplate(
         share.Own, modes, *region, lags, this->GetSettings(true), ranks, progress);
-    default: // exact, so without errors
+    default: // the exact method, which has no errors
       return { ruc::SumPairs(share, lags, ranks, report.ForPairs(ranks)), {}, {}, {}, 0, 0.0,
         false };
   }

@@ -6,27 +6,32 @@
  *
  * Input: a sphere pack with `Mode` (vtkRUCPackAlgorithm), and for the sampled methods an optional
  * mask (vtkRUCSamplingAlgorithm). S_rs(r) is the probability that a point lies in phase r and
- * another, a lag r away in any direction, in phase s; phases are the modes 1…N_p and the matrix m.
- * Raw normalisation: S_rs(0) = c_r delta_rs, S_rs(infinity) = c_r c_s.
+ * another, a lag r away in any direction, in phase s. Phases are the modes 1…N_p and the matrix m.
+ * The normalisation is raw: S_rs(0) = c_r delta_rs and S_rs(infinity) = c_r c_s.
  *
- * Exact Pair Sum: the closed form for spheres that do not overlap, unbiased in a box or cylinder
- * window and exact in a periodic box; see Core/Statistics/TwoPointProbability.h.
- * Chord Sampling, for spheres that may overlap, and any window: all pairs of points on random
- * lines; Core/Statistics/ChordSampling.h. Template Sampling: the paper's template, for comparison.
- * TargetError bounds the sum over all ordered pairs of phases of || standard error of S_rs ||, the
- * discrete norm over the lags k = 1…K.
+ * Exact Pair Sum is the closed form for spheres that do not overlap, unbiased in a box or cylinder
+ * window and exact in a periodic box (Core/Statistics/PairSums/ExactPairSum.h). Chord Sampling, for
+ * spheres that may overlap and for any window, counts all pairs of points on random lines
+ * (Core/Statistics/Sampling/ChordSampling.h). Template Sampling is the paper's template, for
+ * comparison. TargetError bounds the sum over all ordered pairs of phases of || standard error of
+ * S_rs ||, the discrete norm over the lags k = 1…K.
  *
- * Outputs, whole on rank 0: 0 `r`, `S_1_1`, `S_1_2`, …, `S_m_m`, a column for each unordered pair
- * and a row for each lag r_k = k MaximumLag / NumberOfLags, k = 0 to NumberOfLags; then
- * `S_1_1_error`, … (standard errors) of a sampled method; 1 the checks `Pair`, `Limit` (c_r c_s),
- * `ErrorAtZero` (7; not of a sampled method, whose c_r is S_rr(0)), `ErrorAtInfinity` (8, at the
- * last lag), `Asymmetry` (9; not of the exact method, where S_rs = S_sr by construction) and
- * `SaturationLength` (not a number where it is not reached); as field data `VolumeCheck` = 1 - sum
- * c_r - c_m, `SphereVolumeFractions` (those of One-Point Probability's Sphere Volumes),
- * `SpecificSurface` (sphere surface / volume of the window) and `SpecificSurfaceFromSlope` (-4
- * dS_mm/dr at 0, of which it is the limit); 2 `r` and the gradients dS/dr under the names of output
- * 0; 3 autocovariance: `r`, `chi_1_1`, … = S_rs - c_r c_s. Equation numbers: Lee et al., Phys. Rev.
- * E 80, 061301 (2009).
+ * The outputs are tables, whole on rank 0. Output 0 has a row for each lag r_k = k MaximumLag /
+ * NumberOfLags, k = 0 to NumberOfLags, and the columns `r` and `S_1_1`, `S_1_2`, …, `S_m_m`, one
+ * for each unordered pair of phases; then, for a sampled method, their standard errors
+ * `S_1_1_error`, …, which are absolute probabilities as well.
+ *
+ * Output 1 has the checks: `Pair`; `Limit` (c_r c_s); `ErrorAtZero` (7; not for a sampled method,
+ * whose c_r is S_rr(0)); `ErrorAtInfinity` (8, at the last lag); `Asymmetry` (9, with the mean of
+ * the two norms as divisor; not for the exact method, where S_rs = S_sr by construction) and
+ * `SaturationLength` (not a number where it is not reached). Its field data are `VolumeCheck` = 1 -
+ * sum c_r - c_m; `SphereVolumeFractions`, those of Sphere Volumes in One-Point Probability;
+ * `SpecificSurface`, the surface of the spheres over the volume of the window, in 1 / length; and
+ * `SpecificSurfaceFromSlope`, -4 dS_mm/dr at 0, whose limit it is.
+ *
+ * Output 2 has `r` and the gradients dS/dr, in 1 / length, under the names of output 0. Output 3
+ * has the autocovariance: `r` and `chi_1_1`, … = S_rs - c_r c_s. Equation numbers are those of Lee
+ * et al., Phys. Rev. E 80, 061301 (2009).
  */
 #ifndef vtkRUCTwoPointProbability_h
 #define vtkRUCTwoPointProbability_h
@@ -72,10 +77,11 @@ public:
   ///@}
   ///@{
   /**
-   * The last lag. Default: 0, half the shortest edge of the window (of a cylinder: of the lesser of
-   * diameter and height), or the largest lag there is. That is for the exact method the shortest
-   * non-periodic edge less the largest diameter, for the others the shortest edge less twice the
-   * margin; four shortest edges of a periodic box.
+   * The last lag. Default: 0, which stands for half the shortest edge of the window (of a cylinder,
+   * of the lesser of diameter and height), or for the largest lag there is if that is less. The
+   * largest lag is, for the exact method, the shortest edge that is not periodic less the largest
+   * diameter; for the other methods the shortest edge less twice the margin; and four shortest
+   * edges of a periodic box.
    */
   vtkSetMacro(MaximumLag, double);
   vtkGetMacro(MaximumLag, double);
@@ -87,9 +93,9 @@ public:
   ///@}
   ///@{
   /**
-   * S_rs counts as saturated from the lag on after which |S_rs - c_r c_s| and (mean diameter)
-   * |dS_rs/dr| stay at or below this; > 0. Default: 0.0005. The mean diameter is the volume mean
-   * over the pack.
+   * The tolerance, > 0, of the saturation length: S_rs counts as saturated from the lag on after
+   * which |S_rs - c_r c_s| and (mean diameter) |dS_rs/dr| stay at or below it. The mean diameter is
+   * the volume mean over the pack. Default: 0.0005.
    */
   vtkSetMacro(SaturationTolerance, double);
   vtkGetMacro(SaturationTolerance, double);
@@ -108,16 +114,16 @@ private:
   void operator=(const vtkRUCTwoPointProbability&) = delete;
 
   void ValidateProperties();
-  // By the method; `region` is null for the exact one
+  // Measures by the method; `region` is null for the exact one
   ruc::SampledTwoPoint Measure(const ruc::PackShare& share, const ruc::SamplingRegion* region,
     const ruc::LagGrid& lags, RankCommunicator& ranks, ProgressReport& report) const;
-  // On rank 0
+  // Is called on rank 0
   void FillTables(const ruc::SampledTwoPoint& measured, const ruc::PackShare& share,
     vtkInformationVector* outputs) const;
-  // How the functions were measured, and where they saturate, as field data
+  // Adds field data that tell how the functions were measured, and where they saturate
   void AddSummary(const ruc::TwoPointProbability& probability, const ruc::PackShare& share,
     vtkDataObject* data) const;
-  // What must agree, as field data
+  // Adds field data of numbers that must agree
   void AddConsistency(const ruc::TwoPointProbability& probability, const ruc::PackShare& share,
     vtkTable* table) const;
 
