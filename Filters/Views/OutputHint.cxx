@@ -13,7 +13,7 @@
 
 OutputHint::Output OutputHint::OutputOf(vtkSMProxy* representation)
 {
-  // Not yet checked values, as ParaView's domains have it
+  // Unchecked values count, as in ParaView's domains
   vtkSMUncheckedPropertyHelper input(representation, "Input");
   return { vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()),
     static_cast<int>(input.GetOutputPort()) };

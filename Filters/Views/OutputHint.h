@@ -9,7 +9,7 @@ class vtkSMProxy;
 class vtkSMSourceProxy;
 
 /**
- * What a filter says, in its hints, of how an output is to be shown:
+ * What a filter says, in its hints, about how an output is to be shown:
  *
  *     <Representation view="XYChartView" type="RUCChart" port="0" bottom="Lag r" bottom_unit="%"/>
  */
@@ -23,13 +23,16 @@ struct Output
 };
 Output OutputOf(vtkSMProxy* representation);
 
-/** The element `Representation` of the output that names this kind of representation, or null. */
+/**
+ * Returns the element `Representation` of the output that names this kind of representation, or
+ * null.
+ */
 vtkPVXMLElement* Find(vtkSMProxy* representation);
 
 /**
- * The title of `axis` ("bottom"): the attribute of that name; where the data has a `LengthUnit`
- * among its field data and the hint a `bottom_unit`, this follows in brackets, with % replaced by
- * the unit: "Lag r (µm)". Empty without the attribute.
+ * Returns the title of `axis` (such as "bottom"), which is the attribute of that name. Where the
+ * data has a `LengthUnit` among its field data and the hint a `bottom_unit`, this follows in
+ * brackets, with % replaced by the unit: "Lag r (µm)". The title is empty without the attribute.
  */
 std::string Title(vtkSMProxy* representation, vtkPVXMLElement* hint, const std::string& axis);
 }

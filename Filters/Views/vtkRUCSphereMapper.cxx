@@ -90,7 +90,8 @@ void vtkRUCSphereMapper::PrepareShaders(vtkShaderProperty* shaders)
     false);
   shaders->AddFragmentShaderReplacement(
     "//VTK::Camera::Dec", true, "uniform int cameraParallel;\n", false);
-  // Here and not with the colours, since depth peeling compares the depth before these.
+  // This is done here and not with the colours, since depth peeling compares the depth before
+  // these.
   shaders->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
     "  vec3 sight = cameraParallel != 0 ? vec3(0.0, 0.0, -1.0) : normalize(pointVCVSOutput);\n"
     "  vec3 toPoint = pointVCVSOutput - sphereVCVSOutput.xyz;\n"

@@ -26,21 +26,22 @@ public:
   static vtkRUCSphereMapper* New();
   vtkTypeMacro(vtkRUCSphereMapper, vtkOpenGLPointGaussianMapper);
 
-  /** Make an actor's shaders those of spheres. */
+  /** Makes an actor's shaders those of spheres. */
   void PrepareShaders(vtkShaderProperty* shaders);
 
   /**
-   * By how much the radii are multiplied, > 0. Default: 1. It stands for the superclass's
-   * `ScaleFactor`, which reaches the shaders differently in different versions of VTK.
+   * Sets the factor by which the radii are multiplied, > 0. Default: 1. It stands for the
+   * superclass's `ScaleFactor`, which reaches the shaders differently in different versions of VTK.
    */
   void SetSphereScale(vtkShaderProperty* shaders, double scale);
 
   /** The colours of a sphere's surface, lit as ParaView's light kit lights surfaces by default. */
   static const char* GetShading();
 
-  /** Add the spheres of point sets or composites of them, with their radii: `ScaleArray` (1 where
-   * there is none) times the
-   * scale of the spheres. */
+  /**
+   * Adds the spheres of point sets, or of composites of them, to the box. Their radii are
+   * `ScaleArray` (1 where there is none) times the scale of the spheres.
+   */
   void AddSpheres(vtkDataObject* data, vtkBoundingBox& box);
 
 protected:

@@ -35,7 +35,7 @@ namespace
 {
 constexpr int WindowPort = 1;
 
-// The values of a field; none where there is no such field with `count` values
+// The values of a field, or none where there is no such field with `count` values
 std::vector<double> Field(vtkDataObject* data, const char* name, int count)
 {
   std::vector<double> values;
@@ -114,7 +114,7 @@ void AddWindow(vtkDataObject* data, vtkPolyData* lines)
   }
 }
 
-// The data set, or those of a composite
+// The data set itself, or those of a composite
 std::vector<vtkDataObject*> DataSets(vtkDataObject* data)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(data);
@@ -258,8 +258,8 @@ void vtkRUCSpheresRepresentation::OfferData(vtkInformation* inInfo, vtkInformati
   this->Spheres->AddSpheres(this->ProcessedData, box);
   box.GetBounds(bounds);
   vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, this->Actor->GetMatrix());
-  // What the superclass asks for, moving points so that ranks can be drawn one behind the other,
-  // loses some of them in ParaView 5.11 as Debian 12 has it. Opaque spheres need no order.
+  // The superclass asks for points to be moved so that ranks can be drawn one behind the other,
+  // which loses some of them in ParaView 5.11 as Debian 12 has it. Opaque spheres need no order.
   if (this->IsTranslucent())
   {
     vtkPVRenderView::SetOrderedCompositingConfiguration(

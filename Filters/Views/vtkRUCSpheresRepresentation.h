@@ -29,12 +29,15 @@ public:
   vtkTypeMacro(vtkRUCSpheresRepresentation, vtkPointGaussianRepresentation);
 
   ///@{
-  /** Draw the window. Default: on. */
+  /** Whether the window is drawn. Default: on. */
   void SetShowWindow(bool show);
   vtkGetMacro(ShowWindow, bool);
   ///@}
   ///@{
-  /** Draw the spheres even where the view shows surfaces that stand for them. Default: off. */
+  /**
+   * Whether the spheres are drawn even where the view shows surfaces that stand for them. Default:
+   * off.
+   */
   vtkSetMacro(ShowCutSpheres, bool);
   vtkGetMacro(ShowCutSpheres, bool);
   ///@}

@@ -13,10 +13,10 @@
  *       bottom="Lag r" bottom_unit="%" left="Probability S_rs"/>
  *
  * `x` is the column for the axis at the bottom, r where it is left out. `show`, `right_series`,
- * `points` and `dashed` are regular expressions: the columns that are drawn, by the axis on the
- * right instead of the left, as points instead of a line, and as dashed lines
- * (vtkSMRUCChartSeriesDomain). `bottom`, `left` and `right` are titles of the axes
- * (OutputHint::Title). `log_left="1"` makes the axis on the left logarithmic.
+ * `points` and `dashed` are regular expressions for columns: those that are drawn; those drawn by
+ * the axis on the right instead of the left; those drawn as points instead of a line; and those
+ * drawn as dashed lines (vtkSMRUCChartSeriesDomain). `bottom`, `left` and `right` are titles of the
+ * axes (OutputHint::Title). `log_left="1"` makes the axis on the left logarithmic.
  *
  * Titles and scale belong to the view. It gets them when it first shows the table, and only where
  * none of its axes has a title yet, so that what a user writes or a state file holds stays.

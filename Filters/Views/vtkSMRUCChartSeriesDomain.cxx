@@ -14,7 +14,7 @@ vtkStandardNewMacro(vtkSMRUCChartSeriesDomain);
 
 namespace
 {
-// Of Okabe and Ito, also for those who do not see red and green apart
+// The colours of Okabe and Ito, which also people who do not see red and green apart can tell
 const std::vector<std::vector<std::string>> Colors = { { "0", "0.45", "0.7" },
   { "0.84", "0.37", "0" }, { "0", "0.62", "0.45" }, { "0.8", "0.47", "0.65" },
   { "0.9", "0.62", "0" }, { "0.34", "0.71", "0.91" }, { "0", "0", "0" } };
@@ -54,6 +54,6 @@ bool vtkSMRUCChartSeriesDomain::Matches(const std::string& hint, const char* ser
 {
   vtkPVXMLElement* element = OutputHint::Find(this->GetProperty()->GetParent());
   const char* pattern = element ? element->GetAttribute(hint.c_str()) : nullptr;
-  vtksys::RegularExpression expression; // which throws nothing, unlike std::regex
+  vtksys::RegularExpression expression; // throws nothing, unlike std::regex
   return pattern && series && expression.compile(pattern) && expression.find(series);
 }

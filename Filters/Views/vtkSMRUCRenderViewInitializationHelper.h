@@ -11,8 +11,8 @@
  *
  * ParaView 5.11 shows the result of a filter in the active view or not at all. After a table has
  * opened as a chart, that is the chart: a cell would have no view, and its convergence would be
- * drawn over the functions of its pack. Does nothing where the active view is a 3D view; takes the
- * one that shows the input of the filter, else the first.
+ * drawn over the functions of its pack. The helper does nothing where the active view is a 3D view.
+ * Else it takes the 3D view that shows the input of the filter, or the first one.
  */
 class RUCVIEWS_EXPORT vtkSMRUCRenderViewInitializationHelper : public vtkSMProxyInitializationHelper
 {

@@ -32,7 +32,7 @@ vtkPVDataInformation* DataShown(vtkSMProxy* representation)
   return output.Source ? output.Source->GetDataInformation(output.Port) : nullptr;
 }
 
-// The largest mode of the data; 0 where they have no modes
+// The largest mode of the data, or 0 where they have no modes
 int NumberOfModes(vtkPVDataInformation* data)
 {
   vtkPVArrayInformation* modes =
@@ -47,7 +47,7 @@ int NumberOfModes(vtkPVDataInformation* data)
   return range[0] >= 1.0 && range[1] <= mostColours ? static_cast<int>(range[1]) : 0;
 }
 
-// How many modes have a label; -1 where there are other labels
+// How many modes have a label, or -1 where there are other labels
 int NumberOfLabels(vtkSMProxy* map)
 {
   vtkSMPropertyHelper annotations(map, "Annotations");
@@ -64,7 +64,7 @@ int NumberOfLabels(vtkSMProxy* map)
   return labels;
 }
 
-// The colour of a map whose points are at 0 to 1
+// The colour at a place of a map, by linear interpolation between its points
 std::vector<double> Interpolate(const std::vector<double>& points, double at)
 {
   std::size_t upper = 4;
@@ -86,7 +86,7 @@ void SetLabels(vtkSMProxy* map, int modes)
 {
   vtkSMTransferFunctionProxy::ApplyPreset(map, "Turbo", false);
   const std::vector<double> points = vtkSMPropertyHelper(map, "RGBPoints").GetDoubleArray();
-  if (points.size() < 8) // two points of a value and three channels
+  if (points.size() < 8) // fewer than two points, of a value and three channels each
   {
     return;
   }

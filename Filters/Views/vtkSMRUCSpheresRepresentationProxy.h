@@ -9,9 +9,10 @@
 /**
  * What makes packs look right at once, as part of every geometry representation.
  *
- * The colour map of an integer array `Mode` has one colour a mode, in the order of the modes, which
- * is that of the sizes, with the modes' numbers as labels: where ParaView has just made the map,
- * and for modes that come later. A map that somebody has changed stays as it is.
+ * The colour map of an integer array `Mode` has one colour for each mode, in the order of the
+ * modes, which is that of the sizes, with the modes' numbers as labels. This holds where ParaView
+ * has just made the map, and for modes that come later. A map that somebody has changed stays as it
+ * is.
  *
  * ParaView colours new data by their active array, but not data that were empty when first shown,
  * such as surfaces that a filter makes on demand. These are coloured by mode when they come.

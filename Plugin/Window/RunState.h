@@ -7,17 +7,18 @@
 #include <QJsonObject>
 #include <QString>
 
-/** What the run window shows at a moment of a run, as pqRUCRunMonitor sends it: one line of JSON.
+/**
+ * What the run window shows at a moment of a run, as pqRUCRunMonitor sends it: one line of JSON.
  */
 struct RunState
 {
   double Seconds = 0.0;  // since the run began
-  double Fraction = 0.0; // of the work that is done, 0 to 1
-  QString Title;         // the filter
+  double Fraction = 0.0; // the share of the work that is done, 0 to 1
+  QString Title;         // the name of the filter
   QString Text;          // what is going on
   QString Stop;          // what Stop does now; empty where the run cannot be stopped
   QString Drawn; // the title of the value that is drawn against time; empty where there is none
-  double Value = 0.0; // of what is drawn
+  double Value = 0.0; // the value that is drawn
 
   QByteArray ToLine() const
   {

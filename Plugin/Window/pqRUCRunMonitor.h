@@ -12,16 +12,16 @@ struct RunProgress;
  * Opens the run window while one of the plugin's filters runs for longer than a second, tells it
  * the progress, and passes on its Stop.
  *
- * ParaView works on one thread: while a filter runs the window of ParaView answers nothing, and to
- * let it answer in the middle of a run, with all that a click may set off, is not safe (ParaView
+ * ParaView works on one thread: while a filter runs, the window of ParaView answers nothing, and it
+ * is not safe to let it answer in the middle of a run, with all that a click may set off (ParaView
  * itself gave it up, see pqProgressManager). So the run window is a program of its own,
  * RepresentativeUnitCellRun, beside the plugin, and the two talk in lines whenever progress comes
- * in. To the window goes what it shows, as one JSON object a line (RunState.h); from it comes
+ * in. The window receives what it shows, as one JSON object in each line (RunState.h), and sends
  * `stop`.
  *
- * Which texts of progress are those of this plugin is told by their form (RunProgress.h). What is
- * not the same in every moment of a run stands there; the rest stands in the hints of the filter's
- * proxy, so that a filter needs no line here:
+ * The form of a text of progress tells whether it comes from this plugin (RunProgress.h). What
+ * changes during a run stands in that text; the rest stands in the hints of the filter's proxy, so
+ * that a new filter needs no line here:
  *
  *     <Run stop="Ends the search and keeps the best cell so far" quantity="F2" title="Objective
  * F2"/>
