@@ -4,6 +4,7 @@
 
 #include "RankCommunicator.h"
 #include "ruc/Base/Text.h"
+#include "ruc/Particles/FilledShare.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -31,6 +32,25 @@ using ruc::Text;
 vtkDataArray* FindNumbers(vtkPointSet* input, const char* name)
 {
   return FindArray(input->GetPointData(), name, 0);
+}
+
+// Without points that have no size (FindPiece)
+void LeavePointsOut(ruc::SpherePack& pack, double leastDiameter)
+{
+  const auto isPoint = [&](double radius)
+  { return radius >= 0.0 && radius < ruc::LeastLength && 2.0 * radius < leastDiameter; };
+  if (std::any_of(pack.Radius.begin(), pack.Radius.end(), isPoint))
+  {
+    ruc::SpherePack spheres;
+    for (std::size_t i = 0; i < pack.Size(); ++i)
+    {
+      if (!isPoint(pack.Radius[i]))
+      {
+        spheres.Append(pack, i);
+      }
+    }
+    pack = std::move(spheres);
+  }
 }
 
 ruc::SpherePack ReadPack(vtkPointSet* input, bool withModes)
@@ -120,11 +140,33 @@ bool HasArray(vtkPointSet* input, const char* name, RankCommunicator& ranks)
   return owners > 0;
 }
 
-PackPiece FindPiece(
-  vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks)
+namespace
+{
+void WarnOfPlaces(
+  const ruc::CheckedPiece& piece, RankCommunicator& ranks, std::vector<std::string>& warnings)
+{
+  const ruc::Window& window = piece.Observed();
+  if (piece.NumberMoved() > 0)
+  {
+    warnings.push_back(Text(piece.NumberMoved(), " of ", piece.NumberOfSpheres(),
+      " centres lay outside the ", window.Describe(), " and were moved into it by whole edges."));
+  }
+  if (const double share = ruc::FindFilledShare(piece.Spheres(), window, ranks); share < 1.0)
+  {
+    warnings.push_back(Text("the centres fill only a volume of about ", share * window.Volume(),
+      " of the window's ", window.Volume(),
+      ", and fractions are too low by as much. Was a part cut out of the pack? Its window must be "
+      "that of the part."));
+  }
+}
+}
+
+PackPiece FindPiece(vtkPointSet* input, const WindowProperties& properties, bool withModes,
+  RankCommunicator& ranks, double leastDiameter)
 {
   ruc::SpherePack spheres;
   ranks.Agree([&]() { spheres = ReadPack(input, withModes); });
+  LeavePointsOut(spheres, leastDiameter);
   PackOrigin origin;
   ruc::CheckedPiece piece(
     std::move(spheres), withModes,
@@ -134,6 +176,7 @@ PackPiece FindPiece(
       return origin.Observed;
     },
     properties.Crop, ranks);
+  WarnOfPlaces(piece, ranks, origin.Warnings);
   return { origin, std::move(piece) };
 }
 

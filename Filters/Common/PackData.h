@@ -41,13 +41,15 @@ struct SharedPack : PackOrigin
 
 /**
  * Returns this rank's piece of the pack and the window of the whole pack (FindOrigin). `Mode` is
- * required and read only `withModes`. Collective.
+ * required and read only `withModes`. Points of a radius from 0 to less than ruc::LeastLength are
+ * left out where their diameter is below `leastDiameter`. Warns of centres that were moved into a
+ * periodic box, and of a window that the centres do not fill. Collective.
  *
  * Throws std::invalid_argument, the same on every rank, where an array is missing or not of the
  * form required, and as FindOrigin and ruc::CheckedPiece do.
  */
-PackPiece FindPiece(
-  vtkPointSet* input, const WindowProperties& properties, bool withModes, RankCommunicator& ranks);
+PackPiece FindPiece(vtkPointSet* input, const WindowProperties& properties, bool withModes,
+  RankCommunicator& ranks, double leastDiameter = 0.0);
 
 /**
  * Does what FindPiece and ruc::SharePack do. No rank sees more of the pack than its share.

@@ -179,6 +179,7 @@ void PackInput::Accept(vtkInformation* portInformation)
   // The pipeline looks at the first type alone when it decides whether to go through the blocks
   portInformation->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   portInformation->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  portInformation->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
 }
 
 vtkSmartPointer<vtkPointSet> PackInput::FindHere(vtkDataObject* input)

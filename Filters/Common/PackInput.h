@@ -22,7 +22,8 @@ class vtkInformation;
 namespace PackInput RUCCOMMON_EXPORT
 {
 /** Lets a port take point sets and composite data sets of them, of which the pipeline then makes
- * one request instead of one a block. */
+ * one request instead of one a block; and several of them, of which the filter then says that it
+ * takes one (vtkRUCParallelAlgorithm::RequireOne). */
 void Accept(vtkInformation* portInformation);
 
 /** This rank's points of an input, null where there is none. Throws std::invalid_argument where a

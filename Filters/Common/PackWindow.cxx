@@ -124,6 +124,20 @@ ruc::Window BoundsOfCentres(const ruc::SpherePack& piece, RankCommunicator& rank
 }
 }
 
+namespace
+{
+// Of n independent centres a fraction of about (n - 1) / (n + 1) of each edge lies between the
+// outermost
+std::string NoWindowWarning(const ruc::Window& bounds, double spheres)
+{
+  const double edge = (spheres + 1.0) / (spheres - 1.0);
+  return Text("no window is known (field data, BoxSize, or CylinderRadius and CylinderHeight): the "
+              "bounds of the centres are taken, of volume ",
+    bounds.Volume(), "; with ", spheres, " spheres fractions are about ",
+    100.0 * (edge * edge * edge - 1.0), " % too high.");
+}
+}
+
 bool WindowProperties::HasBox() const
 {
   return this->BoxSize[0] != 0.0 || this->BoxSize[1] != 0.0 || this->BoxSize[2] != 0.0;
@@ -181,6 +195,9 @@ PackOrigin FindOrigin(vtkPointSet* input, const WindowProperties& properties,
   {
     origin.Observed = BoundsOfCentres(piece, ranks);
     origin.WindowSource = "Bounds of the centres";
+    std::int64_t spheres = static_cast<std::int64_t>(piece.Size());
+    ranks.Sum(&spheres, 1);
+    origin.Warnings.push_back(NoWindowWarning(origin.Observed, static_cast<double>(spheres)));
   }
   origin.LengthUnit = FindLengthUnit(input, ranks);
   return origin;

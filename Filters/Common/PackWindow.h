@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 class RankCommunicator;
 class vtkDataObject;
@@ -21,6 +22,8 @@ struct PackOrigin
   ruc::Window Observed;     // of its centres
   std::string WindowSource; // "Input", "Properties" or "Bounds of the centres"
   std::string LengthUnit;
+  /** Sentences about what makes the result another than wanted, the same on all ranks. */
+  std::vector<std::string> Warnings;
 };
 
 /** What a filter's own properties say of the window; sizes of 0 leave it to the pack. */
@@ -46,8 +49,9 @@ std::optional<ruc::Window> FindWindowHere(vtkPointSet* input, const WindowProper
 
 /**
  * Collective: where the pack was observed, of which this rank has `piece`: by the field data of any
- * rank, else the properties, else the bounds of the centres. Throws std::invalid_argument, the same
- * on every rank, where ranks have different windows, and where the bounds have no volume.
+ * rank, else the properties, else the bounds of the centres, with a warning. Throws
+ * std::invalid_argument, the same on every rank, where ranks have different windows, and where the
+ * bounds have no volume.
  */
 PackOrigin FindOrigin(vtkPointSet* input, const WindowProperties& properties,
   const ruc::SpherePack& piece, RankCommunicator& ranks);

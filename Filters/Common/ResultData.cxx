@@ -102,13 +102,6 @@ void AddPackSummary(vtkDataObject* data, const PackOrigin& origin, std::int64_t 
   AddField(data, "OverlapPercent", std::vector<double>{ overlapPercent });
 }
 
-std::string OverlapWarning(double percent)
-{
-  return ruc::Text(": the spheres overlap by ", percent,
-    " % of their volume, which counts twice; above ", TolerableOverlap,
-    " % the result is no longer exact.");
-}
-
 void AddLags(vtkTable* table, const ruc::LagGrid& lags)
 {
   std::vector<double> r(lags.Count + 1);

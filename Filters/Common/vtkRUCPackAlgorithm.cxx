@@ -7,6 +7,7 @@
 #include "PackInput.h"
 #include "RankCommunicator.h"
 #include "ruc/Base/Text.h"
+#include "ruc/Particles/PackOverlap.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -15,9 +16,29 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <numeric>
+#include <stdexcept>
 
 namespace
 {
+// What is wrong with a pack that cannot be, as the end of a sentence; empty where nothing is
+std::string DescribeImpossible(double fraction, double overlapPercent)
+{
+  constexpr const char* advice =
+    ". If the radii are diameters, set RadiusIsDiameter of the Sphere Pack Reader; if their unit "
+    "is "
+    "not that of the window, Scale. For spheres that do overlap there is Chord Sampling.";
+  if (fraction >= 1.0)
+  {
+    return ruc::Text(
+      "volumes that add up to less than that of the window, got ", fraction, " of it", advice);
+  }
+  return overlapPercent > PackData::MostOverlap
+    ? ruc::Text("an overlap of at most ", PackData::MostOverlap, " % of their volume, got ",
+        overlapPercent, " %", advice)
+    : std::string();
+}
+
 double KnownOrZero(double number)
 {
   return std::isfinite(number) && number > 0.0 ? number : 0.0;
@@ -33,6 +54,7 @@ int vtkRUCPackAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 void vtkRUCPackAlgorithm::Execute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
+  RequireOne(inputs[0], "Input", "pack");
   const vtkSmartPointer<vtkPointSet> points =
     PackInput::Find(vtkDataObject::GetData(inputs[0]), ranks);
   std::int64_t spheres = points ? points->GetNumberOfPoints() : 0;
@@ -67,6 +89,72 @@ PackData::WindowProperties vtkRUCPackAlgorithm::GetWindowProperties() const
   properties.CylinderHeight = this->CylinderHeight;
   properties.Crop = this->CropToWindow;
   return properties;
+}
+
+void vtkRUCPackAlgorithm::Warn(const PackData::PackOrigin& origin, const RankCommunicator& ranks)
+{
+  for (std::size_t n = 0; ranks.Rank() == 0 && n < origin.Warnings.size(); ++n)
+  {
+    vtkWarningMacro(<< origin.Warnings[n]);
+  }
+}
+
+PackData::PackPiece vtkRUCPackAlgorithm::FindPiece(
+  vtkPointSet* input, bool withModes, RankCommunicator& ranks, double leastDiameter)
+{
+  PackData::PackPiece pack =
+    PackData::FindPiece(input, this->GetWindowProperties(), withModes, ranks, leastDiameter);
+  this->Warn(pack, ranks);
+  return pack;
+}
+
+PackData::SharedPack vtkRUCPackAlgorithm::FindShare(vtkPointSet* input, RankCommunicator& ranks)
+{
+  PackData::SharedPack pack = PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  this->Warn(pack, ranks);
+  return pack;
+}
+
+PackData::ObservedPack vtkRUCPackAlgorithm::GatherPack(
+  vtkPointSet* input, bool withModes, RankCommunicator& ranks)
+{
+  PackData::ObservedPack pack =
+    PackData::GatherPack(input, this->GetWindowProperties(), withModes, ranks);
+  this->Warn(pack, ranks);
+  return pack;
+}
+
+double vtkRUCPackAlgorithm::CheckOverlap(
+  const ruc::PackShare& share, bool exact, RankCommunicator& ranks)
+{
+  const double percent = ruc::MeasureOverlap(share, ranks).Percent;
+  const double volume = std::accumulate(share.Volume.begin(), share.Volume.end(), 0.0);
+  const std::string impossible = DescribeImpossible(volume / share.Observed.Volume(), percent);
+  if (exact && !impossible.empty())
+  {
+    throw std::invalid_argument("Exact sums require spheres with " + impossible);
+  }
+  if (ranks.Rank() == 0 && !impossible.empty())
+  {
+    vtkWarningMacro(<< "a pack of spheres has " << impossible);
+  }
+  else if (ranks.Rank() == 0 && exact && percent > PackData::TolerableOverlap)
+  {
+    vtkWarningMacro(<< "the spheres overlap by " << percent
+                    << " % of their volume, which counts twice; above "
+                    << PackData::TolerableOverlap << " % the result is no longer exact.");
+  }
+  return percent;
+}
+
+void vtkRUCPackAlgorithm::WarnOfVolume(
+  double volume, double ofWindow, const RankCommunicator& ranks)
+{
+  const std::string impossible = DescribeImpossible(volume / ofWindow, 0.0);
+  if (ranks.Rank() == 0 && !impossible.empty())
+  {
+    vtkWarningMacro(<< "a pack of spheres has " << impossible);
+  }
 }
 
 std::optional<ruc::PackFigures> vtkRUCPackAlgorithm::FindFigures()

@@ -25,12 +25,17 @@ class vtkPointSet;
 
 namespace PackData
 {
+struct ObservedPack;
+struct PackOrigin;
+struct PackPiece;
+struct SharedPack;
 struct WindowProperties;
 }
 namespace ruc
 {
 struct Estimate;
 struct PackFigures;
+struct PackShare;
 }
 
 class RUCCOMMON_EXPORT vtkRUCPackAlgorithm : public vtkRUCParallelAlgorithm
@@ -126,6 +131,28 @@ protected:
 
   PackData::WindowProperties GetWindowProperties() const;
 
+  ///@{
+  /**
+   * Do what the functions of these names in PackData do, with the filter's window, and tell what
+   * they warn of. A share has modes. Collective.
+   */
+  PackData::PackPiece FindPiece(
+    vtkPointSet* input, bool withModes, RankCommunicator& ranks, double leastDiameter = 0.0);
+  PackData::SharedPack FindShare(vtkPointSet* input, RankCommunicator& ranks);
+  PackData::ObservedPack GatherPack(vtkPointSet* input, bool withModes, RankCommunicator& ranks);
+  ///@}
+
+  /**
+   * Returns the overlap of a pack in percent of the spheres' volume. Volumes that add up to that of
+   * the window or more, and an overlap above PackData::MostOverlap, are no pack of spheres but most
+   * likely diameters taken as radii. An `exact` result, a sum over spheres in which overlaps count
+   * twice, is refused then (std::invalid_argument) and warned of above PackData::TolerableOverlap;
+   * any other is warned of. Collective.
+   */
+  double CheckOverlap(const ruc::PackShare& share, bool exact, RankCommunicator& ranks);
+  /** Warns of the same by the volumes alone; `volume` is that of all spheres. */
+  void WarnOfVolume(double volume, double ofWindow, const RankCommunicator& ranks);
+
   /**
    * Returns the estimates from figures of the pack, or none where they are not known. It may throw
    * std::invalid_argument for what a run would refuse, which then has no estimates either.
@@ -157,6 +184,8 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
 private:
+  void Warn(const PackData::PackOrigin& origin, const RankCommunicator& ranks);
+
   vtkRUCPackAlgorithm(const vtkRUCPackAlgorithm&) = delete;
   void operator=(const vtkRUCPackAlgorithm&) = delete;
 

@@ -4,10 +4,12 @@
 
 #include "PackData.h"
 #include "RankCommunicator.h"
+#include "ruc/Base/Text.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -15,8 +17,10 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -53,6 +57,37 @@ void ShareColumns(vtkTable* table, const RankCommunicator& ranks)
     PackData::AddColumn(table, column);
   }
 }
+
+std::vector<vtkDataObject*> FindInputs(vtkInformationVector** inputs, int ports)
+{
+  std::vector<vtkDataObject*> found;
+  for (int port = 0; port < ports; ++port)
+  {
+    for (int n = 0; n < inputs[port]->GetNumberOfInformationObjects(); ++n)
+    {
+      if (vtkDataObject* data = vtkDataObject::GetData(inputs[port], n))
+      {
+        found.push_back(data);
+      }
+    }
+  }
+  return found;
+}
+
+// Why an input is empty that a filter or reader of this plugin has refused to make; else empty
+std::string FindRefusal(const std::vector<vtkDataObject*>& inputs)
+{
+  std::string refusal;
+  for (vtkDataObject* data : inputs)
+  {
+    vtkAbstractArray* why = data->GetFieldData()->GetAbstractArray(PackData::RefusalField);
+    if (refusal.empty() && why && why->GetNumberOfValues() > 0)
+    {
+      refusal = why->GetVariantValue(0).ToString();
+    }
+  }
+  return refusal;
+}
 }
 
 vtkCxxSetObjectMacro(vtkRUCParallelAlgorithm, Controller, vtkMultiProcessController);
@@ -65,6 +100,16 @@ vtkRUCParallelAlgorithm::vtkRUCParallelAlgorithm()
 vtkRUCParallelAlgorithm::~vtkRUCParallelAlgorithm()
 {
   this->SetController(nullptr);
+}
+
+void vtkRUCParallelAlgorithm::RequireOne(
+  vtkInformationVector* inputsOfPort, const char* port, const char* what)
+{
+  const int count = inputsOfPort->GetNumberOfInformationObjects();
+  if (count > 1)
+  {
+    throw std::invalid_argument(ruc::Text(port, " takes one ", what, ", got ", count, "."));
+  }
 }
 
 int vtkRUCParallelAlgorithm::RequestDataObject(
@@ -130,21 +175,57 @@ int vtkRUCParallelAlgorithm::RequestUpdateExtent(
   return 1;
 }
 
+vtkRUCParallelAlgorithm::Cause vtkRUCParallelAlgorithm::FindCause(vtkInformationVector** inputs)
+{
+  Cause cause = { { this, this->GetMTime() } };
+  for (vtkDataObject* data : FindInputs(inputs, this->GetNumberOfInputPorts()))
+  {
+    cause.emplace_back(data, std::max(data->GetMTime(), data->GetUpdateTime()));
+  }
+  return cause;
+}
+
+bool vtkRUCParallelAlgorithm::WasTold(vtkInformationVector** inputs, RankCommunicator& ranks)
+{
+  // The pipeline asks again and again for an image that has not the extent announced
+  std::int64_t changed = this->Refused != this->FindCause(inputs);
+  ranks.Sum(&changed, 1);
+  const std::string upstream =
+    ranks.FirstText(FindRefusal(FindInputs(inputs, this->GetNumberOfInputPorts())));
+  if (changed > 0)
+  {
+    this->Refusal = upstream;
+    this->Refused.clear();
+  }
+  return !this->Refusal.empty();
+}
+
+void vtkRUCParallelAlgorithm::ClearOutputs(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject* data = outputs->GetInformationObject(port)->Get(vtkDataObject::DATA_OBJECT());
+    data->Initialize();
+    if (!this->Refusal.empty())
+    {
+      PackData::AddField(data, PackData::RefusalField, this->Refusal);
+    }
+  }
+}
+
 int vtkRUCParallelAlgorithm::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  const auto clear = [&]()
-  {
-    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-    {
-      outputs->GetInformationObject(port)->Get(vtkDataObject::DATA_OBJECT())->Initialize();
-    }
-  };
-  clear();
   RankCommunicator ranks(this->Controller);
   try
   {
     ranks.RequireMpi();
+    const bool told = this->WasTold(inputs, ranks);
+    this->ClearOutputs(outputs);
+    if (told)
+    {
+      return 1;
+    }
     this->Execute(inputs, outputs, ranks);
     for (int port = 0; ranks.Size() > 1 && port < this->GetNumberOfOutputPorts(); ++port)
     {
@@ -160,17 +241,18 @@ int vtkRUCParallelAlgorithm::RequestData(
     // one rank alone; then only the end of the job keeps the others from waiting for ever.
     if (ranks.Size() > 1 && !dynamic_cast<const std::invalid_argument*>(&e))
     {
-      vtkErrorMacro(<< this->GetLabel() << ": rank " << ranks.Rank()
-                    << " cannot go on: " << e.what());
+      vtkErrorMacro(<< "rank " << ranks.Rank() << " cannot go on: " << e.what());
       throw;
+    }
+    if (ranks.Rank() == 0)
+    {
+      vtkErrorMacro(<< e.what());
     }
     // Outputs become empty instead of the request failing, after which the filters downstream would
     // keep their former results
-    clear();
-    if (ranks.Rank() == 0)
-    {
-      vtkErrorMacro(<< this->GetLabel() << ": " << e.what());
-    }
+    this->Refusal = this->GetObjectDescription() + ": " + e.what();
+    this->ClearOutputs(outputs);
+    this->Refused = this->FindCause(inputs);
   }
   return 1;
 }

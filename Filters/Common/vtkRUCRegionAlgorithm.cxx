@@ -35,6 +35,7 @@ int vtkRUCRegionAlgorithm::FillInputPortInformation(int port, vtkInformation* in
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1); // MakeRegion says that it takes one
   return 1;
 }
 
@@ -91,6 +92,11 @@ std::unique_ptr<ruc::SamplingRegion> vtkRUCRegionAlgorithm::MakeRegion(
   {
     throw std::invalid_argument(ruc::Text(
       "Mask requires a pack that is not periodic, got a ", share.Observed.Describe(), "."));
+  }
+  if (this->GetNumberOfInputConnections(1) > 1)
+  {
+    throw std::invalid_argument(
+      ruc::Text("Mask takes one image, got ", this->GetNumberOfInputConnections(1), "."));
   }
   const ruc::VoxelMask mask =
     MaskData::GatherMask(vtkImageData::SafeDownCast(this->GetInputDataObject(1, 0)),

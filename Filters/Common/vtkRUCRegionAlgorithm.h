@@ -42,6 +42,7 @@ public:
    * periodic.
    */
   void SetMaskConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void RemoveAllMaskConnections() { this->RemoveAllInputConnections(1); }
 
   ///@{
   /**

@@ -30,14 +30,15 @@ namespace
 const char* const MethodNames[] = { "Equal Width", "Equal Volume", "Explicit Edges",
   "One Per Size" };
 
-// The points of the input that have a mode and, if `window` is not null, lie in it; with all their
-// arrays
-void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::Window* window,
-  vtkPolyData* output)
+// The points of the input that have a mode and, with `crop`, lie in the window; with all their
+// arrays, where the checked piece has them
+void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::CheckedPiece& piece,
+  bool crop, vtkPolyData* output)
 {
   vtkDataArray* radius = PackData::RequireArray(input, "Radius");
   vtkNew<vtkPoints> points;
-  points->SetDataType(input->GetPoints()->GetDataType());
+  // Float numbers may be outside again
+  points->SetDataType(piece.NumberMoved() > 0 ? VTK_DOUBLE : input->GetPoints()->GetDataType());
   vtkNew<vtkCellArray> vertices;
   vtkNew<vtkIntArray> mode;
   mode->SetName("Mode");
@@ -55,11 +56,12 @@ void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
     const int m = modes.ModeOf(2.0 * radius->GetTuple1(i));
-    double centre[3];
-    input->GetPoint(i, centre);
-    if (m > 0 && (!window || window->Contains({ centre[0], centre[1], centre[2] })))
+    ruc::Vector3 centre;
+    input->GetPoint(i, centre.data());
+    ruc::MoveIntoBox(centre, piece.Observed());
+    if (m > 0 && (!crop || piece.Observed().Contains(centre)))
     {
-      const vtkIdType id = points->InsertNextPoint(centre);
+      const vtkIdType id = points->InsertNextPoint(centre.data());
       vertices->InsertNextCell(1, &id);
       output->GetPointData()->CopyData(arrays, i, id);
       mode->InsertNextValue(m);
@@ -138,8 +140,7 @@ ruc::ParticleModes vtkRUCParticleModes::FindModes(
                                                   : this->NumberOfModes;
   if (modes.NumberOfModes() < wanted && ranks.Rank() == 0)
   {
-    vtkWarningMacro(<< this->GetLabel() << ": " << wanted - modes.NumberOfModes() << " of "
-                    << wanted
+    vtkWarningMacro(<< wanted - modes.NumberOfModes() << " of " << wanted
                     << " modes would hold no sphere and are left out; the others are numbered 1 to "
                     << modes.NumberOfModes() << ".");
   }
@@ -173,16 +174,21 @@ void vtkRUCParticleModes::Execute(
     throw std::invalid_argument(
       ruc::Text("Method requires a value from 0 to 3, got ", this->Method, "."));
   }
-  const PackData::PackPiece pack =
-    PackData::FindPiece(input, this->GetWindowProperties(), false, ranks);
+  const PackData::PackPiece pack = this->FindPiece(input, false, ranks, this->MinimumDiameter);
   const ruc::ParticleModes modes = this->FindModes(pack.Piece.Spheres().Radius, ranks);
 
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   if (input && input->GetNumberOfPoints() > 0)
   {
-    FillOutput(input, modes, this->GetCropToWindow() ? &pack.Observed : nullptr, output);
+    FillOutput(input, modes, pack.Piece, this->GetCropToWindow(), output);
     output->GetFieldData()->PassData(input->GetFieldData());
   }
+  double volume = 0.0;
+  for (int m = 1; m <= modes.NumberOfModes(); ++m)
+  {
+    volume += modes.Summary(m).Volume;
+  }
+  this->WarnOfVolume(volume, pack.Observed.Volume(), ranks);
   vtkTable* table = vtkTable::GetData(outputs, 1);
   if (ranks.Rank() == 0)
   {

@@ -209,8 +209,8 @@ void vtkRUCPeriodicReplicas::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
   this->CheckProperties();
-  PackData::ObservedPack observed = PackData::GatherPack(
-    input, this->GetWindowProperties(), PackData::HasArray(input, "Mode", ranks), ranks);
+  PackData::ObservedPack observed =
+    this->GatherPack(input, PackData::HasArray(input, "Mode", ranks), ranks);
   const ruc::Window& box = observed.Observed;
   if (!box.IsPeriodic())
   {

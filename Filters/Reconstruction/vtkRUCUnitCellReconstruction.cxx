@@ -145,8 +145,8 @@ double vtkRUCUnitCellReconstruction::FindEdge(
     length = probability.Lags.Maximum();
     if (ranks.Rank() == 0)
     {
-      vtkWarningMacro(<< this->GetLabel() << ": S_rs does not saturate within "
-                      << this->Cell.SaturationTolerance << " up to a lag of " << length
+      vtkWarningMacro(<< "S_rs does not saturate within " << this->Cell.SaturationTolerance
+                      << " up to a lag of " << length
                       << "; the cell's edge is about twice that. Set CellSize for another.");
     }
   }
@@ -199,6 +199,7 @@ ruc::EndReason vtkRUCUnitCellReconstruction::FindStopReason(
 void vtkRUCUnitCellReconstruction::Execute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
+  RequireOne(inputs[0], "Input", "pack or table");
   vtkTable* table = vtkTable::GetData(inputs[0]);
   if (!table)
   {
@@ -223,8 +224,8 @@ void vtkRUCUnitCellReconstruction::Execute(
 {
   this->CheckProperties();
   ProgressReport report(this, this->GetLabel());
-  const PackData::SharedPack pack =
-    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  const PackData::SharedPack pack = this->FindShare(input, ranks);
+  this->CheckOverlap(pack.Share, true, ranks);
   const auto findEdge = [&]()
   {
     const ruc::LagGrid lags =
@@ -259,8 +260,7 @@ void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents
     }
     return this->FindStopReason(report, ranks.Rank() == 0);
   };
-  callbacks.Warn = [&](const std::string& text)
-  { vtkWarningMacro(<< this->GetLabel() << ": " << text); };
+  callbacks.Warn = [&](const std::string& text) { vtkWarningMacro(<< text); };
   const std::vector<CellSearch::FoundCell> cells =
     CellSearch::Find(contents, target, this->Search, callbacks, ranks);
   CellTables::FillOutputs(
@@ -292,9 +292,8 @@ void vtkRUCUnitCellReconstruction::WarnOf(const std::vector<CellSearch::FoundCel
     const ruc::PackOverlap& overlap = found.Cell.Overlap;
     if (!overlap.IsNone())
     {
-      vtkWarningMacro(<< this->GetLabel() << ": cell " << found.Number + 1 << " still has overlap, "
-                      << overlap.Percent << " % of the spheres' volume in " << overlap.Pairs
-                      << " pairs"
+      vtkWarningMacro(<< "cell " << found.Number + 1 << " still has overlap, " << overlap.Percent
+                      << " % of the spheres' volume in " << overlap.Pairs << " pairs"
                       << (ruc::IsFromOutside(found.Cell.EndedBy) ? "; it was stopped early."
                                                                  : "; it is too dense to free."));
     }
@@ -307,15 +306,14 @@ void vtkRUCUnitCellReconstruction::WarnOf(const std::vector<CellSearch::FoundCel
     });
   if (byHand && this->Search.CheckpointFile.empty())
   {
-    vtkWarningMacro(<< this->GetLabel()
-                    << ": stopped by hand; a state file does not keep the cell and searches anew "
+    vtkWarningMacro(<< "stopped by hand; a state file does not keep the cell and searches anew "
                        "when it is loaded. Save the data, or set CheckpointFile.");
   }
   const std::size_t wanted = this->Search.NumberOfCells;
   if (cells.size() < wanted)
   {
-    vtkWarningMacro(<< this->GetLabel() << ": stopped before " << wanted - cells.size() << " of "
-                    << wanted << " cells were begun.");
+    vtkWarningMacro(<< "stopped before " << wanted - cells.size() << " of " << wanted
+                    << " cells were begun.");
   }
 }
 

@@ -19,20 +19,10 @@ void OutputSummary::AddSamples(vtkDataObject* data, const Samples& samples)
   PackData::AddField(data, "Stopped", std::vector<long long>{ samples.Stopped });
 }
 
-void OutputSummary::WarnOfStop(
-  vtkObject* filter, const char* label, bool stopped, const RankCommunicator& ranks)
+void OutputSummary::WarnOfStop(vtkObject* filter, bool stopped, const RankCommunicator& ranks)
 {
   if (stopped && ranks.Rank() == 0)
   {
-    vtkWarningWithObjectMacro(filter, << label << ": stopped before all samples were taken.");
-  }
-}
-
-void OutputSummary::WarnOfOverlap(
-  vtkObject* filter, const char* label, double percent, const RankCommunicator& ranks)
-{
-  if (percent > PackData::TolerableOverlap && ranks.Rank() == 0)
-  {
-    vtkWarningWithObjectMacro(filter, << label << PackData::OverlapWarning(percent));
+    vtkWarningWithObjectMacro(filter, << "stopped before all samples were taken.");
   }
 }

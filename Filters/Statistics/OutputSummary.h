@@ -43,11 +43,6 @@ void AddLags(vtkDataObject* data, const ruc::LagGrid& lags);
 /** Adds the number of samples under its name, `TotalError` and `Stopped`. */
 void AddSamples(vtkDataObject* data, const Samples& samples);
 
-/**
- * Warn on rank 0, in the name of the filter, that sampling was stopped early, if it was, and that
- * spheres overlap by more than sums over pairs tolerate, if they do.
- */
-void WarnOfStop(vtkObject* filter, const char* label, bool stopped, const RankCommunicator& ranks);
-void WarnOfOverlap(
-  vtkObject* filter, const char* label, double percent, const RankCommunicator& ranks);
+/** Warns on rank 0, in the name of the filter, that sampling was stopped early, if it was. */
+void WarnOfStop(vtkObject* filter, bool stopped, const RankCommunicator& ranks);
 }

@@ -9,7 +9,6 @@
 #include "RankCommunicator.h"
 #include "StatisticsEstimate.h"
 #include "TwoPointTables.h"
-#include "ruc/Particles/PackOverlap.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
 
 #include "vtkInformation.h"
@@ -29,9 +28,9 @@ void vtkRUCChordLengths::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
   ProgressReport report(this, this->GetLabel());
-  const PackData::SharedPack pack =
-    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  const PackData::SharedPack pack = this->FindShare(input, ranks);
   const ruc::PackShare& share = pack.Share;
+  const double overlap = this->CheckOverlap(share, false, ranks);
   const std::unique_ptr<ruc::SamplingRegion> region = this->MakeRegion(pack, ranks);
   const ruc::LagGrid lags =
     MeasuredLags::Find(this->MaximumLag, this->NumberOfLags, share, region.get(), this->HasMask());
@@ -48,12 +47,11 @@ void vtkRUCChordLengths::Execute(
     TwoPointTables::FillChordLengths(chords, table);
   }
   OutputSummary::AddLags(table, lags);
-  PackData::AddPackSummary(table, pack, share.NumberOfSpheres, sampled.Mean.Fractions,
-    ruc::MeasureOverlap(share, ranks).Percent);
+  PackData::AddPackSummary(table, pack, share.NumberOfSpheres, sampled.Mean.Fractions, overlap);
   this->AddRegionSummary(table, *region);
   OutputSummary::AddSamples(
     table, { "NumberOfLines", sampled.Samples, sampled.TotalError, sampled.Stopped });
-  OutputSummary::WarnOfStop(this, this->GetLabel(), sampled.Stopped, ranks);
+  OutputSummary::WarnOfStop(this, sampled.Stopped, ranks);
 }
 
 std::optional<ruc::Estimate> vtkRUCChordLengths::MakeEstimate()

@@ -217,8 +217,9 @@ int vtkRUCCompareProbabilities::FillInputPortInformation(int port, vtkInformatio
 {
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 1);
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1); // Execute says that it is required
+  // Execute says that the first takes one, and that the second is required
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
   return 1;
 }
 
@@ -247,6 +248,7 @@ int vtkRUCCompareProbabilities::RequestInformation(
 void vtkRUCCompareProbabilities::Execute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
+  RequireOne(inputs[0], "Input", "table or image");
   vtkImageData* pack = vtkImageData::GetData(inputs[0]);
   const int cells = inputs[1]->GetNumberOfInformationObjects();
   if (cells == 0)

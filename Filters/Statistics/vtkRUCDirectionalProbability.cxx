@@ -11,7 +11,6 @@
 #include "TwoPointTables.h"
 #include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
-#include "ruc/Particles/PackOverlap.h"
 #include "ruc/Statistics/PairSums/DirectionalProbability.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
@@ -62,10 +61,10 @@ void vtkRUCDirectionalProbability::Execute(
 {
   this->ValidateProperties();
   ProgressReport report(this, this->GetLabel());
-  const PackData::SharedPack pack =
-    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  const PackData::SharedPack pack = this->FindShare(input, ranks);
   const ruc::PackShare& share = pack.Share;
   const bool exact = this->Method == EXACT_PAIR_SUM;
+  const double overlap = this->CheckOverlap(share, exact, ranks);
   const std::unique_ptr<ruc::SamplingRegion> region =
     exact ? nullptr : this->MakeRegion(pack, ranks);
   const ruc::LagGrid lags =
@@ -79,7 +78,6 @@ void vtkRUCDirectionalProbability::Execute(
     TwoPointTables::FillDirections(directional, vtkTable::GetData(outputs, DIRECTIONS));
   }
 
-  const double overlap = ruc::MeasureOverlap(share, ranks).Percent;
   const std::vector<double> fractions =
     exact ? ruc::OnePointProbability(share) : ruc::MeanOverDirections(directional).Fractions;
   OutputSummary::ForEachOutput(outputs,
@@ -94,8 +92,7 @@ void vtkRUCDirectionalProbability::Execute(
         OutputSummary::AddSamples(data, samples);
       }
     });
-  OutputSummary::WarnOfStop(this, this->GetLabel(), samples.Stopped, ranks);
-  OutputSummary::WarnOfOverlap(this, this->GetLabel(), exact ? overlap : 0.0, ranks);
+  OutputSummary::WarnOfStop(this, samples.Stopped, ranks);
 }
 
 ruc::DirectionalProbability vtkRUCDirectionalProbability::Measure(const ruc::PackShare& share,

@@ -8,7 +8,6 @@
 #include "RankCommunicator.h"
 #include "StatisticsEstimate.h"
 #include "ruc/Base/Text.h"
-#include "ruc/Particles/PackOverlap.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
 #include "ruc/Statistics/Sampling/TemplateSampling.h"
@@ -70,9 +69,9 @@ void vtkRUCOnePointProbability::Execute(
 {
   this->ValidateProperties();
   ProgressReport report(this, this->GetLabel());
-  const PackData::SharedPack pack =
-    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  const PackData::SharedPack pack = this->FindShare(input, ranks);
   const bool exact = this->Method == SPHERE_VOLUMES;
+  const double overlap = this->CheckOverlap(pack.Share, exact, ranks);
   vtkTable* table = vtkTable::GetData(outputs);
   std::vector<double> fractions, errors;
   if (exact)
@@ -90,9 +89,7 @@ void vtkRUCOnePointProbability::Execute(
     FillTable(fractions, errors, table);
   }
   PackData::AddField(table, "Method", std::string(MethodNames[this->Method]));
-  const double overlap = ruc::MeasureOverlap(pack.Share, ranks).Percent;
   PackData::AddPackSummary(table, pack, pack.Share.NumberOfSpheres, fractions, overlap);
-  OutputSummary::WarnOfOverlap(this, this->GetLabel(), exact ? overlap : 0.0, ranks);
 }
 
 ruc::SampledTwoPoint vtkRUCOnePointProbability::Sample(const PackData::SharedPack& pack,
@@ -112,7 +109,7 @@ ruc::SampledTwoPoint vtkRUCOnePointProbability::Sample(const PackData::SharedPac
   OutputSummary::AddSamples(table,
     { throws ? "NumberOfThrows" : "NumberOfLines", sampled.Samples, sampled.TotalError,
       sampled.Stopped });
-  OutputSummary::WarnOfStop(this, this->GetLabel(), sampled.Stopped, ranks);
+  OutputSummary::WarnOfStop(this, sampled.Stopped, ranks);
   return sampled;
 }
 

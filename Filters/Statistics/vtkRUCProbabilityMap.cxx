@@ -10,7 +10,6 @@
 #include "RankCommunicator.h"
 #include "StatisticsEstimate.h"
 #include "ruc/Base/Text.h"
-#include "ruc/Particles/PackOverlap.h"
 #include "ruc/Statistics/PairSums/ProbabilityMap.h"
 #include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
@@ -90,9 +89,9 @@ void vtkRUCProbabilityMap::Execute(
 {
   this->ValidateProperties();
   ProgressReport report(this, this->GetLabel());
-  const PackData::SharedPack pack =
-    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  const PackData::SharedPack pack = this->FindShare(input, ranks);
   const ruc::PackShare& share = pack.Share;
+  const double overlap = this->CheckOverlap(share, true, ranks);
   const int modes = share.NumberOfModes();
   const double reach = this->FindReach(share);
   const ruc::ProbabilityMap map = ruc::MapPairs(share, ParsePairs(this->PhasePairs, modes),
@@ -100,11 +99,9 @@ void vtkRUCProbabilityMap::Execute(
 
   this->FillImage(map, modes, ranks, outputs);
   vtkImageData* image = vtkImageData::GetData(outputs);
-  const double overlap = ruc::MeasureOverlap(share, ranks).Percent;
   PackData::AddField(image, "MaximumLag", std::vector<double>{ reach });
   PackData::AddPackSummary(
     image, pack, share.NumberOfSpheres, ruc::OnePointProbability(share), overlap);
-  OutputSummary::WarnOfOverlap(this, this->GetLabel(), overlap, ranks);
 }
 
 double vtkRUCProbabilityMap::FindReach(const ruc::PackShare& share) const

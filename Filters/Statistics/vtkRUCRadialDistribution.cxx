@@ -9,7 +9,6 @@
 #include "RankCommunicator.h"
 #include "StatisticsEstimate.h"
 #include "TwoPointTables.h"
-#include "ruc/Particles/PackOverlap.h"
 #include "ruc/Statistics/PairSums/RadialDistribution.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 
@@ -30,8 +29,8 @@ void vtkRUCRadialDistribution::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
   ProgressReport report(this, this->GetLabel());
-  const PackData::SharedPack pack =
-    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  const PackData::SharedPack pack = this->FindShare(input, ranks);
+  const double overlap = this->CheckOverlap(pack.Share, false, ranks); // centres alone
   const ruc::LagGrid lags = MeasuredLags::Find(this->MaximumLag, this->NumberOfLags, pack.Share);
   const ruc::RadialDistribution distribution =
     ruc::MeasureRadialDistribution(pack.Share, lags, ranks, report.ForPairs(ranks));
@@ -42,8 +41,8 @@ void vtkRUCRadialDistribution::Execute(
     TwoPointTables::FillRadialDistribution(distribution, table);
   }
   OutputSummary::AddLags(table, lags);
-  PackData::AddPackSummary(table, pack, pack.Share.NumberOfSpheres,
-    ruc::OnePointProbability(pack.Share), ruc::MeasureOverlap(pack.Share, ranks).Percent);
+  PackData::AddPackSummary(
+    table, pack, pack.Share.NumberOfSpheres, ruc::OnePointProbability(pack.Share), overlap);
 }
 
 std::optional<ruc::Estimate> vtkRUCRadialDistribution::MakeEstimate()

@@ -11,7 +11,6 @@
 #include "RankCommunicator.h"
 #include "ThreePointTables.h"
 #include "ruc/Base/Text.h"
-#include "ruc/Particles/PackOverlap.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
@@ -96,7 +95,7 @@ double vtkRUCThreePointProbability::GetEstimatedMemory()
              ruc::ParseTriples(this->Phases, number).size(), true, ranks.Size()) +
       this->EstimateRegion().MegabytesOfRank;
   }
-  catch (const std::invalid_argument&)
+  catch (const std::exception&)
   {
     return 0.0;
   }
@@ -134,9 +133,9 @@ void vtkRUCThreePointProbability::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
   ProgressReport report(this, this->GetLabel());
-  const PackData::SharedPack pack =
-    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  const PackData::SharedPack pack = this->FindShare(input, ranks);
   const ruc::PackShare& share = pack.Share;
+  const double overlap = this->CheckOverlap(share, false, ranks);
   const std::vector<ruc::PhaseTriple> triples =
     ruc::ParseTriples(this->Phases, share.NumberOfModes());
   const std::unique_ptr<ruc::SamplingRegion> region = this->MakeRegion(pack, ranks);
@@ -145,7 +144,6 @@ void vtkRUCThreePointProbability::Execute(
   const ruc::ThreePointProbability probability =
     this->Sample(share, *region, grid, triples, memory, ranks, report);
 
-  const double overlap = ruc::MeasureOverlap(share, ranks).Percent;
   const bool exact = !this->HasMask() && overlap <= PackData::TolerableOverlap;
   const ruc::TwoPointProbability twoPoint =
     this->MeasureTwoPoint(pack, exact, *region, grid.Lags, ranks, report);
@@ -163,7 +161,7 @@ void vtkRUCThreePointProbability::Execute(
       PackData::AddPackSummary(data, pack, share.NumberOfSpheres, twoPoint.Fractions, overlap);
       this->AddRegionSummary(data, *region);
     });
-  OutputSummary::WarnOfStop(this, this->GetLabel(), this->WasStopped(probability), ranks);
+  OutputSummary::WarnOfStop(this, this->WasStopped(probability), ranks);
 }
 
 ruc::ThreePointGrid vtkRUCThreePointProbability::FindGrid(

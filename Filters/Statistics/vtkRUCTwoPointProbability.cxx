@@ -10,7 +10,6 @@
 #include "StatisticsEstimate.h"
 #include "TwoPointTables.h"
 #include "ruc/Base/Text.h"
-#include "ruc/Particles/PackOverlap.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
@@ -64,10 +63,10 @@ void vtkRUCTwoPointProbability::Execute(
 {
   this->ValidateProperties();
   ProgressReport report(this, this->GetLabel());
-  const PackData::SharedPack pack =
-    PackData::FindShare(input, this->GetWindowProperties(), true, ranks);
+  const PackData::SharedPack pack = this->FindShare(input, ranks);
   const ruc::PackShare& share = pack.Share;
   const bool exact = this->Method == EXACT_PAIR_SUM;
+  const double overlap = this->CheckOverlap(share, exact, ranks);
   const std::unique_ptr<ruc::SamplingRegion> region =
     exact ? nullptr : this->MakeRegion(pack, ranks);
   const ruc::LagGrid lags =
@@ -78,7 +77,6 @@ void vtkRUCTwoPointProbability::Execute(
     this->FillTables(measured, share, outputs);
   }
 
-  const double overlap = ruc::MeasureOverlap(share, ranks).Percent;
   OutputSummary::ForEachOutput(outputs,
     [&](vtkDataObject* data)
     {
@@ -93,8 +91,7 @@ void vtkRUCTwoPointProbability::Execute(
       }
     });
   this->AddConsistency(measured.Mean, share, vtkTable::GetData(outputs, CHECKS));
-  OutputSummary::WarnOfStop(this, this->GetLabel(), measured.Stopped, ranks);
-  OutputSummary::WarnOfOverlap(this, this->GetLabel(), exact ? overlap : 0.0, ranks);
+  OutputSummary::WarnOfStop(this, measured.Stopped, ranks);
 }
 
 ruc::SampledTwoPoint vtkRUCTwoPointProbability::Measure(const ruc::PackShare& share,

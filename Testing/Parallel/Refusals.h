@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Bad input gives one error, on rank 0, that names the filter, the array or property, what is
- * required and what was got; every output is empty on every rank, and no rank waits for another.
+ * required and what was got, in one line without an address; every output is empty on every rank
+ * but for the reason, and no rank waits for another.
  */
 #pragma once
 
@@ -13,26 +14,36 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkVariant.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-/** Collects the errors of an algorithm instead of printing them. */
+/** Collects the errors of an algorithm, or other messages, instead of printing them. */
 struct Errors
 {
-  explicit Errors(vtkObject* object)
+  explicit Errors(vtkObject* object, unsigned long event = vtkCommand::ErrorEvent)
   {
     this->Command->SetClientData(this);
     this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
       { static_cast<Errors*>(self)->Texts.push_back(static_cast<const char*>(text)); });
-    object->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    object->AddObserver(event, this->Command);
   }
   vtkNew<vtkCallbackCommand> Command;
   std::vector<std::string> Texts;
 };
 
-/** Whether no output of the filter has a point, row or field on this rank. */
+/** The same for warnings. */
+struct Warnings : Errors
+{
+  explicit Warnings(vtkObject* object)
+    : Errors(object, vtkCommand::WarningEvent)
+  {
+  }
+};
+
+/** Whether no output of the filter has a point, row or field on this rank, but for `Refusal`. */
 inline bool IsEmpty(vtkAlgorithm* filter)
 {
   bool empty = true;
@@ -41,23 +52,44 @@ inline bool IsEmpty(vtkAlgorithm* filter)
     vtkDataObject* data = filter->GetOutputDataObject(port);
     empty = empty && data->GetNumberOfElements(vtkDataObject::POINT) == 0 &&
       data->GetNumberOfElements(vtkDataObject::ROW) == 0 &&
-      data->GetFieldData()->GetNumberOfArrays() == 0;
+      data->GetFieldData()->GetNumberOfArrays() ==
+        (data->GetFieldData()->GetAbstractArray("Refusal") ? 1 : 0);
   }
   return empty;
 }
 
-/** The filter has refused its input with one error that holds all parts. */
+/** What an output tells of why it is empty. */
+inline std::string RefusalOf(vtkDataObject* data)
+{
+  vtkAbstractArray* why = data->GetFieldData()->GetAbstractArray("Refusal");
+  return why ? why->GetVariantValue(0).ToString() : "";
+}
+
+/** A text that holds all parts. */
+inline void ExpectParts(const std::string& text, const std::vector<std::string>& parts)
+{
+  for (const std::string& part : parts)
+  {
+    EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is not in: " << text;
+  }
+}
+
+/** The filter has refused its input with one error that holds all parts, however often its outputs
+ * are asked for. */
 inline void ExpectRefusal(
   vtkAlgorithm* filter, const Errors& errors, const std::vector<std::string>& parts)
 {
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    filter->Update(port);
+    ExpectParts(RefusalOf(filter->GetOutputDataObject(port)), parts);
+  }
   EXPECT_TRUE(IsEmpty(filter));
   EXPECT_EQ(errors.Texts.size(), Rank() == 0 ? 1u : 0u) << "one error, on rank 0";
   for (const std::string& text : errors.Texts)
   {
-    for (const std::string& part : parts)
-    {
-      EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is not in: " << text;
-    }
+    ExpectParts(text, parts);
+    EXPECT_EQ(text.find("(0x"), std::string::npos) << text;
   }
 }
 

@@ -21,6 +21,8 @@ CheckedPiece::CheckedPiece(
   }
   ranks.ThrowIfAny(FindFaultySphere(this->Piece, withModes, this->Total));
   const Window& window = this->ObservedIn = findWindow(this->Piece);
+  this->Moved = MoveIntoBox(this->Piece, window);
+  ranks.Sum(&this->Moved, 1);
   if (crop)
   {
     this->Piece = CropToWindow(this->Piece, window);

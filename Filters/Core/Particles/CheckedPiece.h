@@ -23,9 +23,9 @@ public:
   using WindowFinder = std::function<Window(const SpherePack& piece)>;
 
   /**
-   * Collective. `Mode` is checked only `withModes`. With `crop`, spheres with centres outside the
-   * window are left out, else they are an error. Throws std::invalid_argument, the same on every
-   * rank.
+   * Collective. `Mode` is checked only `withModes`. Centres outside the window along a periodic
+   * axis are moved into it (MoveIntoBox). With `crop`, spheres with centres outside it still are
+   * left out, else they are an error. Throws std::invalid_argument, the same on every rank.
    */
   CheckedPiece(SpherePack piece, bool withModes, const WindowFinder& findWindow, bool crop,
     Communicator& ranks);
@@ -39,6 +39,8 @@ public:
   const Window& Observed() const { return this->ObservedIn; }
   /** On all ranks together. */
   std::int64_t NumberOfSpheres() const { return this->Total; }
+  /** Of them were outside the window along a periodic axis. */
+  std::int64_t NumberMoved() const { return this->Moved; }
   bool WithModes() const { return this->Modes; }
 
 private:
@@ -47,6 +49,7 @@ private:
   SpherePack Piece;
   Window ObservedIn;
   std::int64_t Total = 0;
+  std::int64_t Moved = 0;
   bool Modes;
 };
 }

@@ -104,7 +104,9 @@ std::string FindFaultySphere(const SpherePack& pack, bool withModes, std::int64_
     if (!(std::isfinite(pack.Radius[i]) && pack.Radius[i] > 0.0))
     {
       return Text("Array 'Radius' requires finite values > 0, got ", pack.Radius[i], " for ",
-        At(pack, i), ".");
+        At(pack, i),
+        pack.Radius[i] == 0.0 ? "; Particle Modes with a MinimumDiameter leaves such points out."
+                              : ".");
     }
     if (pack.Radius[i] < LeastLength || pack.Radius[i] > GreatestLength)
     {
@@ -244,6 +246,15 @@ SpherePack CropToWindow(const SpherePack& pack, const Window& window)
   return inside;
 }
 
+namespace
+{
+double Wrap(double c, double origin, double edge)
+{
+  c -= edge * std::floor((c - origin) / edge);
+  return c >= origin && c < origin + edge ? c : origin; // rounding, for a centre just off a face
+}
+}
+
 void WrapIntoBox(SpherePack& pack, const Window& box)
 {
   std::vector<double>* axes[3] = { &pack.X, &pack.Y, &pack.Z };
@@ -255,14 +266,42 @@ void WrapIntoBox(SpherePack& pack, const Window& box)
     }
     for (double& c : *axes[q])
     {
-      c -= box.Size[q] * std::floor((c - box.Origin[q]) / box.Size[q]);
-      if (!(c >= box.Origin[q] &&
-            c < box.Origin[q] + box.Size[q])) // rounding, for a centre just off a face
-      {
-        c = box.Origin[q];
-      }
+      c = Wrap(c, box.Origin[q], box.Size[q]);
     }
   }
+}
+
+bool MoveIntoBox(Vector3& centre, const Window& box)
+{
+  constexpr double mostEdges = 1e6;
+  bool moved = false;
+  for (int q = 0; q < 3; ++q)
+  {
+    if (box.Periodic[q] && !box.ContainsAlong(q, centre[q]) &&
+      std::abs(centre[q] - box.Origin[q]) <= mostEdges * box.Size[q])
+    {
+      centre[q] = Wrap(centre[q], box.Origin[q], box.Size[q]);
+      moved = true;
+    }
+  }
+  return moved;
+}
+
+std::int64_t MoveIntoBox(SpherePack& pack, const Window& box)
+{
+  std::int64_t moved = 0;
+  for (std::size_t i = 0; box.IsPeriodic() && i < pack.Size(); ++i)
+  {
+    Vector3 centre = pack.Centre(i);
+    if (MoveIntoBox(centre, box))
+    {
+      pack.X[i] = centre[0];
+      pack.Y[i] = centre[1];
+      pack.Z[i] = centre[2];
+      ++moved;
+    }
+  }
+  return moved;
 }
 
 std::vector<double> CentresOf(const SpherePack& pack)

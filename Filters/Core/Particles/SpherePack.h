@@ -101,6 +101,15 @@ SpherePack CropToWindow(const SpherePack& pack, const Window& window);
 /** Moves centres along periodic axes by whole edges into [origin, origin + edge). */
 void WrapIntoBox(SpherePack& pack, const Window& box);
 
+/**
+ * Moves a centre that lies outside the box along a periodic axis, beyond what Window::Contains
+ * tolerates, to where its image is inside, and returns whether it did. A centre more than a million
+ * edges away is left where it is, since its place in the box would be rounding.
+ */
+bool MoveIntoBox(Vector3& centre, const Window& box);
+/** Does the same for all centres and returns how many were moved. */
+std::int64_t MoveIntoBox(SpherePack& pack, const Window& box);
+
 /** Returns x, y, z of every sphere in one list. */
 std::vector<double> CentresOf(const SpherePack& pack);
 /** Sets the centres to x, y, z of every sphere, wrapped into the box. */

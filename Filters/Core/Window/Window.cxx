@@ -137,9 +137,7 @@ bool Window::Contains(const Vector3& centre) const
   {
     for (int q = 0; q < 3; ++q)
     {
-      const double slack = this->Periodic[q] ? 1e-9 * this->Size[q] : 0.0;
-      if (!(centre[q] >= this->Origin[q] - slack &&
-            centre[q] <= this->Origin[q] + this->Size[q] + slack))
+      if (!this->ContainsAlong(q, centre[q]))
       {
         return false;
       }
@@ -151,6 +149,13 @@ bool Window::Contains(const Vector3& centre) const
   const double along = p[0] * this->Axis[0] + p[1] * this->Axis[1] + p[2] * this->Axis[2];
   const double lateral2 = std::max(p[0] * p[0] + p[1] * p[1] + p[2] * p[2] - along * along, 0.0);
   return along >= 0.0 && along <= this->Height && lateral2 <= this->Radius * this->Radius;
+}
+
+bool Window::ContainsAlong(int axis, double coordinate) const
+{
+  const double slack = this->Periodic[axis] ? 1e-9 * this->Size[axis] : 0.0;
+  return coordinate >= this->Origin[axis] - slack &&
+    coordinate <= this->Origin[axis] + this->Size[axis] + slack;
 }
 
 double Window::SetCovariance(double dx, double dy, double dz) const

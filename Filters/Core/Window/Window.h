@@ -63,6 +63,9 @@ public:
    */
   bool Contains(const Vector3& centre) const;
 
+  /** The same of a box along one of its axes. */
+  bool ContainsAlong(int axis, double coordinate) const;
+
   /**
    * Set covariance: the volume of the window's intersection with itself displaced by (dx, dy, dz).
    * A displacement along a periodic axis loses no volume.

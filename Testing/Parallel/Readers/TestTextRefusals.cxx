@@ -53,7 +53,10 @@ void RefusesText(const std::string& text, const std::vector<std::string>& parts,
     ExpectRefusal(reader, errors, all);
     std::remove(fileName.c_str());
   }
-  ExpectRefusal(modes, following, { "Particle Modes", "at least one sphere" });
+  // The cause was told once
+  EXPECT_TRUE(IsEmpty(modes));
+  EXPECT_TRUE(following.Texts.empty());
+  ExpectParts(RefusalOf(modes->GetOutputDataObject(1)), { "Sphere Pack Reader", fileName });
 }
 }
 

@@ -194,8 +194,8 @@ TEST(PackRefusals, CoincidentCentres)
 
 TEST(WindowRefusals, CentreOutsideTheBox)
 {
-  RefusesPack<TwoPoint>({ Name, "requires every centre inside", "1 of 600 outside" },
-    [](auto& p) { p.X[0] = 1.5 * Edge; });
+  Refuses<TwoPoint>({ Name, "requires every centre inside", "1 of 600 outside" },
+    { [](auto& p) { p.X[0] = 1.5 * Edge; }, {}, {} }, false);
 }
 
 TEST(WindowRefusals, BoxSmallerThanASphere)
