@@ -7,6 +7,8 @@
 #include "ruc/Base/Communicator.h"
 #include "ruc/Particles/SpherePack.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <condition_variable>
 #include <exception>
@@ -35,6 +37,9 @@ public:
    * none must throw. */
   static void Run(int size, const std::function<void(ruc::Communicator&)>& work)
   {
+    // With the thread sanitizer, Clang's OpenMP reads what belongs to the thread that came first to
+    // it: let that be one that stays
+    omp_get_max_threads();
     ThreadRanks shared(size);
     std::vector<std::exception_ptr> errors(size);
     std::vector<std::thread> threads;

@@ -4,6 +4,7 @@
 // libFuzzer target: any text is read as a pack, or refused with std::invalid_argument. The first
 // two bytes are the reader's settings, the third says whether periodic copies are looked for.
 #include "ruc/Formats/SpherePackText.h"
+#include "ruc/Particles/PeriodicReplicas.h"
 
 #include <cstddef>
 #include <cstdint>
