@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Formats/PackFormats.h"
+
+namespace ruc
+{
+// One grammar a file; what is taken from each, and its source, stand at the top of the file.
+extern const PackFormat BaranauXyzd;
+extern const PackFormat EsysGeometry;
+extern const PackFormat ExtendedXyz;
+extern const PackFormat HoomdGsd;
+extern const PackFormat LammpsData;
+extern const PackFormat LammpsDump;
+extern const PackFormat LbpmPack;
+extern const PackFormat MercuryData;
+extern const PackFormat SkogePack;
+extern const PackFormat Table;
+extern const PackFormat YadeText;
+
+/** The unit of length of a unit style of LAMMPS; empty for lj, which has none. */
+std::string LengthUnitOfStyle(std::string_view style);
+
+/** The Scan of formats that hold one frame. */
+inline std::vector<FramePlace> ScanOneFrame(ByteStream&)
+{
+  return { FramePlace() };
+}
+}
