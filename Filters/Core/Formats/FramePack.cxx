@@ -105,6 +105,7 @@ void Keep(PackFrame& frame, const std::vector<std::size_t>& order)
   }
   Keep(frame.Id, order);
   Keep(frame.Type, order);
+  Keep(frame.Mode, order);
 }
 
 // Copies beyond the faces of a periodic box, which some programs write along
@@ -285,6 +286,7 @@ FramePack MakePack(PackFrame frame, const PackSettings& settings)
   result.Pack.Z = std::move(frame.Z);
   result.Pack.Radius = std::move(frame.Radius);
   result.Pack.Id = std::move(frame.Id);
+  result.Pack.Mode = std::move(frame.Mode);
   CheckCentres(result.Pack);
   result.Type = std::move(frame.Type);
   result.TypeNames = std::move(frame.TypeNames);

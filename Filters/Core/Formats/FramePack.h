@@ -27,7 +27,7 @@ struct PackSettings
  * periodic axes. */
 struct FramePack
 {
-  /** Ids are the file's, or count its rows from 0; without modes. */
+  /** Ids are the file's, or count its rows from 0; modes only where a table tells them. */
   SpherePack Pack;
   std::vector<int> Type; // may be empty
   std::vector<std::string> TypeNames;

@@ -16,12 +16,14 @@ const std::vector<const PackFormat*>& PackFormats()
     &HoomdGsd,
     &LammpsDump,
     &EsysGeometry,
+    &YadeText,
     &LbpmPack,
     &ExtendedXyz,
     &SkogePack,
     &MercuryData,
     &LammpsData,
     &BaranauXyzd,
+    &Table,
   };
   return formats;
 }

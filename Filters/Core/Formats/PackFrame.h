@@ -40,6 +40,8 @@ struct PackFrame
   /** Numbers as they are in the file; names are numbered from 1 in the order of the alphabet. */
   std::vector<int> Type;
   std::vector<std::string> TypeNames; // where types are names
+  /** Classes of size, which tables of this project tell. */
+  std::vector<int> Mode;
   std::optional<FrameBox> Box;
   std::string LengthUnit;
   std::optional<double> Time;

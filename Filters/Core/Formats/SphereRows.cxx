@@ -14,7 +14,7 @@ namespace ruc
 RowColumns RowColumns::Named(const std::vector<std::string>& names)
 {
   static const char* const roles[NumberOfRoles] = { "x", "y", "z", "radius", "diameter", "id",
-    "type" };
+    "type", "mode" };
   RowColumns columns;
   columns.Names = names;
   columns.Count = names.size();
@@ -38,6 +38,7 @@ SphereRows::SphereRows(LineSource& lines, const RowColumns& columns, PackFrame& 
   , Columns(columns)
   , Frame(frame)
   , HasIds(columns.Has(RowColumns::Id))
+  , HasModes(columns.Has(RowColumns::Mode))
 {
 }
 
@@ -149,27 +150,35 @@ void SphereRows::Append(const Fields& fields)
   this->Frame.Z.push_back(z);
   if (this->HasIds)
   {
-    this->AppendId(fields[static_cast<std::size_t>(field[RowColumns::Id])]);
+    this->AppendWhole(
+      "Ids", fields[static_cast<std::size_t>(field[RowColumns::Id])], this->Frame.Id, this->HasIds);
   }
   if (field[RowColumns::Type] >= 0)
   {
     this->AppendType(fields[static_cast<std::size_t>(field[RowColumns::Type])]);
   }
+  if (this->HasModes)
+  {
+    this->AppendWhole("Modes", fields[static_cast<std::size_t>(field[RowColumns::Mode])],
+      this->Frame.Mode, this->HasModes);
+  }
 }
 
-void SphereRows::AppendId(std::string_view field)
+template <class T>
+void SphereRows::AppendWhole(
+  const char* what, std::string_view field, std::vector<T>& values, bool& has)
 {
-  std::int64_t id;
-  if (ParseWhole(field, id))
+  std::int64_t value;
+  if (ParseWhole(field, value) && value >= std::numeric_limits<T>::min() &&
+    value <= std::numeric_limits<T>::max())
   {
-    this->Frame.Id.push_back(id);
+    values.push_back(static_cast<T>(value));
     return;
   }
-  this->HasIds = false;
-  this->Frame.Id.clear();
-  this->Frame.Id.shrink_to_fit();
-  this->Frame.Warnings.push_back(Text("Ids are left out: line ", this->Lines.Line(), " has ",
-    Quote(field), ", which is no whole number."));
+  has = false;
+  values = {};
+  this->Frame.Warnings.push_back(Text(what, " are left out: line ", this->Lines.Line(), " has ",
+    Quote(field), ", which is no whole number of their range."));
 }
 
 void SphereRows::AppendType(std::string_view field)

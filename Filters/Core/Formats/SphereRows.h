@@ -25,19 +25,20 @@ struct RowColumns
     Diameter,
     Id,
     Type,
+    Mode,
     NumberOfRoles
   };
 
   /** The field of each role, from 0; -1: none. */
-  std::array<int, NumberOfRoles> Field = { -1, -1, -1, -1, -1, -1, -1 };
+  std::array<int, NumberOfRoles> Field = { -1, -1, -1, -1, -1, -1, -1, -1 };
   /** Fewer fields than these in a row are refused, and more unless `More`. */
   std::size_t Count = 0;
   bool More = false;
   /** Names of the fields, for messages; may be empty. */
   std::vector<std::string> Names;
 
-  /** Fields by their names, letter for letter ("x", "y", "z", "radius", "diameter", "id", "type");
-   * others are left out. */
+  /** Fields by their names, letter for letter ("x", "y", "z", "radius", "diameter", "id", "type",
+   * "mode"); others are left out. */
   static RowColumns Named(const std::vector<std::string>& names);
   bool Has(Role role) const { return this->Field[role] >= 0; }
   /** "column 3 ('x')" */
@@ -70,13 +71,15 @@ public:
 private:
   double Number(const Fields& fields, int field) const;
   double RadiusOf(const Fields& fields) const;
-  void AppendId(std::string_view field);
+  // One of an array of whole numbers that is given up where a field is none
+  template <class T>
+  void AppendWhole(const char* what, std::string_view field, std::vector<T>& values, bool& has);
   void AppendType(std::string_view field);
 
   LineSource& Lines;
   RowColumns Columns;
   PackFrame& Frame;
-  bool HasIds;
+  bool HasIds, HasModes;
   std::map<std::string, int, std::less<>> Names; // of types, numbered as they come
   Fields Row;
 };

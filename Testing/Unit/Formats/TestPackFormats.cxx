@@ -75,6 +75,10 @@ const Sample Samples[] = {
   { "packlsd_poly.dat", "Donev, Skoge", 1, 1e-12, AtZero, false },
   { "mercury.data", "MercuryDPM data", 2, 1e-12, None, true },
   { "esys.geo", "ESyS-Particle geometry", 1, 1e-12, None, true },
+  { "comment_header.csv", "table", 1, 1e-12, None, true },
+  { "truth.csv", "table", 1, 1e-12, None, true },
+  { "yade_matid.txt", "YADE text", 1, 1e-4, None, true },
+  { "yade_attrs.txt", "YADE text", 1, 1e-4, None, true },
 };
 
 // Spheres in the order of the truth, which is that of x where the file has another
@@ -250,6 +254,26 @@ TEST(SamePackDetails, RadiiByType)
   EXPECT_EQ(file.Pack(0, settings).Pack.Radius[0], 0.5);
 }
 
+TEST(SamePackDetails, Tables)
+{
+  const auto pack = [](const char* name)
+  { return OpenFile(DataFile(std::string("same_pack/") + name)).Pack(); };
+  EXPECT_EQ(pack("truth.csv").Type, TheTruth().Type);
+  EXPECT_EQ(pack("comment_header.csv").Pack.Id, TheTruth().Pack.Id);
+  std::vector<int> materials = pack("yade_matid.txt").Type;
+  for (int& material : materials)
+  {
+    ++material; // counted from 0
+  }
+  EXPECT_EQ(materials, TheTruth().Type);
+  EXPECT_SAYS(pack("no_header_id_first.txt"),
+    "Line 1: 5 columns without names: set Columns, such as id,x,y,z,r.");
+  EXPECT_SAYS(pack("positions_only.csv"), "X is in mm, Diameter in um: one unit is required.");
+  auto nameless = OpenFile(DataFile("same_pack/no_header_id_first.txt"));
+  nameless.Settings.Columns = "id,x,y,z,r";
+  ExpectTruth(nameless.Pack(), { "", "table", 1, 1e-12, None, true });
+}
+
 TEST(BadFiles, AreRefusedForTheirReason)
 {
   const std::pair<const char*, const char*> files[] = {
@@ -259,6 +283,7 @@ TEST(BadFiles, AreRefusedForTheirReason)
     { "nan.dump", "requires a finite number, got 'nan'" },
     { "zero_radius.dump", "column 3 ('radius') requires a number > 0, got '0'" },
     { "mixed_coordinates.dump", "positions of one kind are required" },
+    { "decimal_comma.csv", "requires a decimal point, got '5,3716'" },
     { "container_sphere.xyz", "Row 21 holds all others: a container?" },
     { "bomb.dump.gz", "Line 5: a line of at most 65536 bytes is required" },
     { "big_endian.xyzd", "Little-endian numbers are required" },

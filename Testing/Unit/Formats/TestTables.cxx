@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Tables as people have them: two spheres, (1, 2, 3) of radius 0.5 and (-4, 5.5, 60) of radius
+// 0.25, in many ways of writing them; and what is refused, for its own reason.
+#include "FormatFiles.h"
+
+namespace
+{
+using formats::OpenText;
+using ruc::PackFrame;
+using ruc::ReadSettings;
+
+PackFrame Parse(std::string_view text, const ReadSettings& settings = {})
+{
+  return OpenText(text, settings).Frame();
+}
+
+void ExpectTheTwo(std::string_view text, const ReadSettings& settings = {})
+{
+  SCOPED_TRACE(std::string(text));
+  PackFrame frame;
+  ASSERT_NO_THROW(frame = Parse(text, settings));
+  EXPECT_EQ(frame.Format, "table");
+  EXPECT_EQ(frame.X, (std::vector<double>{ 1, -4 }));
+  EXPECT_EQ(frame.Y, (std::vector<double>{ 2, 5.5 }));
+  EXPECT_EQ(frame.Z, (std::vector<double>{ 3, 60 }));
+  EXPECT_EQ(frame.Radius, (std::vector<double>{ 0.5, 0.25 }));
+}
+
+ReadSettings Columns(const char* columns)
+{
+  ReadSettings settings;
+  settings.Columns = columns;
+  return settings;
+}
+
+ReadSettings RadiusColumn(const char* column, bool diameter = false)
+{
+  ReadSettings settings;
+  settings.RadiusColumn = column;
+  settings.RadiusIsDiameter = diameter;
+  return settings;
+}
+}
+
+TEST(Tables, Separators)
+{
+  for (const char* text : { "1,2,3,0.5\n-4,5.5,60,0.25\n", "1;2;3;0.5\n-4;5.5;60;0.25\n",
+         "1\t2\t3\t0.5\n-4\t5.5\t60\t0.25\n", "  1   2 3  0.5  \n -4  5.5    60 0.25",
+         "1, 2, 3, 0.5\n-4 ,5.5 , 60,\t0.25\n", "1\t2 3 0.5\n-4\t5.5 60 0.25\n",
+         "x y z radius\n1\t2\t3\t0.5\n-4\t5.5\t60\t0.25\n",
+         "sep=;\nx;y;z;r\n1;2;3;0.5\n-4;5.5;60;0.25\n", "1,2,3,0.5,\n-4,5.5,60,0.25,\n",
+         "x,y,z,r,\n1,2,3,0.5,\n-4,5.5,60,0.25,\n",
+         "x,y,z,radius\n1,2,3,0.5\n,,,\n-4,5.5,60,0.25\n,,,\n" })
+  {
+    ExpectTheTwo(text);
+  }
+}
+
+TEST(Tables, EndsOfLinesMarksAndComments)
+{
+  for (const char* text :
+    { "1,2,3,0.5\r\n-4,5.5,60,0.25\r\n", "x,y,z,r\r1,2,3,0.5\r-4,5.5,60,0.25\r",
+      "\xEF\xBB\xBFx,y,z,radius\r\n1,2,3,0.5\r\n-4,5.5,60,0.25\r\n",
+      "# a comment; with, separators\n\n  \n1,2,3,0.5\n  # another\n\n-4,5.5,60,0.25\n\n",
+      "x,y,z,radius\n1,2,3,0.5 # the first\n-4,5.5,60,0.25\n",
+      "// made today\n1 2 3 0.5\n-4 5.5 60 0.25\n" })
+  {
+    ExpectTheTwo(text);
+  }
+}
+
+TEST(Tables, NumbersAndQuotes)
+{
+  for (const char* text : { "+1,2e0,3.,.5\n-4.0,55e-1,6E1,+0.25",
+         "x y z radius\n1.0D+00 2.0d0 3.0D+00 5.0D-01\n-4D0 0.55D1 6D1 25D-2\n",
+         "1.0D+00 2.0d0 3.0D+00 5.0D-01\n-4D0 0.55D1 6D1 25D-2\n",
+         "\"x\",\"y\",\"z\",\"radius\",\"name\"\n1,2,3,0.5,\"bead, red\"\n-4,5.5,60,0.25,\"b\"\n",
+         "\"x\";\"y\";\"z\";\"r\"\n\"1\";\"2\";\"3\";\"0.5\"\n-4;5.5;60;0.25\n" })
+  {
+    ExpectTheTwo(text);
+  }
+  EXPECT_EQ(Parse("4.9e-324 0 0 1\n").X[0], 4.9e-324); // a subnormal number
+}
+
+TEST(Tables, Names)
+{
+  for (const char* text :
+    { "radius,z,y,x\n0.5,3,2,1\n0.25,60,5.5,-4\n", "X Y Z R\n1 2 3 0.5\n-4 5.5 60 0.25\n",
+      "Points:0,Points:1,Points:2,Rad\n1,2,3,0.5\n-4,5.5,60,0.25\n",
+      "e;Points_0;Points_1;Points_2;RADII\n9;1;2;3;0.5\n8;-4;5.5;60;0.25\n",
+      "pos_x,pos_y,pos_z,radius\n1,2,3,0.5\n-4,5.5,60,0.25\n",
+      "CenterX,CenterY,CenterZ,Radius\n1,2,3,0.5\n-4,5.5,60,0.25\n",
+      "Position X,Position Y,Position Z,Radius\n1,2,3,0.5\n-4,5.5,60,0.25\n",
+      "x,y,z,Diameter\n1,2,3,1\n-4,5.5,60,0.5\n", "x,y,z,d\n1,2,3,1\n-4,5.5,60,0.5\n",
+      "x,y,z,diam,r\n1,2,3,1,0.5\n-4,5.5,60,0.5,0.25\n", "# x y z r\n1 2 3 0.5\n-4 5.5 60 0.25\n",
+      "# id,x,y,z,r\n7,1,2,3,0.5\n8,-4,5.5,60,0.25\n", "% x y z d\n1 2 3 1\n-4 5.5 60 0.5\n",
+      "# made by John Smith\n1 2 3 0.5\n-4 5.5 60 0.25\n", // four words, but no names
+      "# x y z r\n# of a pack\n1 2 3 0.5\n-4 5.5 60 0.25\n",
+      ",x,y,z,radius\n0,1,2,3,0.5\n1,-4,5.5,60,0.25\n",
+      "\tx\ty\tz\tradius\n0\t1\t2\t3\t0.5\n1\t-4\t5.5\t60\t0.25\n",
+      "\"x\" \"y\" \"z\" \"radius\"\n\"1\" 1 2 3 0.5\n\"2\" -4 5.5 60 0.25\n",
+      "x,y,z,radius,comment\n1,2,3,0.5,\n-4,5.5,60,0.25,ok\n",
+      "x\ty\tz\tradius\tcomment\n1\t2\t3\t0.5\t\n-4\t5.5\t60\t0.25\tok\n" })
+  {
+    ExpectTheTwo(text);
+  }
+}
+
+TEST(Tables, Units)
+{
+  for (const char* text : { "x [mm],y [mm],z [mm],radius [mm]\n1,2,3,0.5\n-4,5.5,60,0.25\n",
+         "x (mm);y (mm);z (mm);r (mm)\n1;2;3;0.5\n-4;5.5;60;0.25\n",
+         "x,y,z,radius\nmm,mm,mm,mm\n1,2,3,0.5\n-4,5.5,60,0.25\n",
+         "x [mm],y,z,radius\n1,2,3,0.5\n-4,5.5,60,0.25\n" })
+  {
+    ExpectTheTwo(text);
+    EXPECT_EQ(Parse(text).LengthUnit, "mm") << text;
+  }
+  for (const char* micro : { "um", "µm", "μm" })
+  {
+    const std::string unit(micro);
+    EXPECT_EQ(Parse("x [" + unit + "],y [µm],z [um],r [µm]\n1,2,3,4\n").LengthUnit, "µm");
+  }
+  EXPECT_SAYS(Parse("X [mm],Y [mm],Z [mm],Diameter [um]\n1,2,3,4\n"),
+    "Line 2: X is in mm, Diameter in um: one unit is required.");
+}
+
+TEST(Tables, IdsTypesAndModes)
+{
+  const PackFrame frame =
+    Parse("Mode,ID,x,y,z,r,matId\n2,9007199254740992,1,2,3,0.5,1\n1,-7,-4,5.5,60,0.25,3\n");
+  EXPECT_EQ(frame.Mode, (std::vector<int>{ 2, 1 }));
+  EXPECT_EQ(frame.Id, (std::vector<std::int64_t>{ 9007199254740992, -7 }));
+  EXPECT_EQ(frame.Type, (std::vector<int>{ 1, 3 }));
+  const PackFrame names =
+    Parse("id,x,y,z,radius,mode,type\nb1,1,2,3,0.5,glass,steel\nb2,-4,5.5,60,0.25,1,glass\n");
+  EXPECT_TRUE(names.Id.empty());
+  EXPECT_TRUE(names.Mode.empty());
+  EXPECT_EQ(names.Warnings.size(), 2u);
+  EXPECT_EQ(names.Type, (std::vector<int>{ 2, 1 }));
+  EXPECT_EQ(names.TypeNames, (std::vector<std::string>{ "glass", "steel" }));
+}
+
+TEST(Tables, Settings)
+{
+  ExpectTheTwo("7 1 2 3 0.5\n8 -4 5.5 60 0.25\n", Columns("id,x,y,z,r"));
+  ExpectTheTwo("7 1 2 3 0.5 a\n8 -4 5.5 60 0.25 b\n", Columns("-,x,y,z,r,-"));
+  ExpectTheTwo("a b c e\n1 2 3 1\n-4 5.5 60 0.5\n", Columns("x,y,z,d"));
+  ExpectTheTwo("x,y,z,r,SIZE\n1,2,3,77,0.5\n-4,5.5,60,77,0.25\n", RadiusColumn("Size"));
+  ExpectTheTwo("x,y,z,r,s\n1,2,3,77,0.5\n-4,5.5,60,77,0.25\n", RadiusColumn("5"));
+  ExpectTheTwo("x,y,z,Diameter\n1,2,3,1\n-4,5.5,60,0.5\n", RadiusColumn("Diameter"));
+  ExpectTheTwo("x,y,z,Diameter\n1,2,3,1\n-4,5.5,60,0.5\n", RadiusColumn("4", true)); // halved once
+  ExpectTheTwo("1,2,3,1\n-4,5.5,60,0.5\n", RadiusColumn("", true));
+  ReadSettings skip;
+  skip.SkipLines = 2;
+  ExpectTheTwo("a\xFF\nanything at all\n1,2,3,0.5\n-4,5.5,60,0.25\n", skip);
+  EXPECT_SAYS(Parse("1 2 3 4\n", Columns("x,y,z")),
+    "Columns requires a name for each of 4 columns, got 3: x,y,z.");
+  EXPECT_SAYS(Parse("1 2 3 4\n", Columns("x,y,r,-")), "a column 'z' is required");
+  EXPECT_SAYS(Parse("1 2 3 4\n", RadiusColumn("5")), "RadiusColumn requires a column from 1 to 4");
+  EXPECT_SAYS(Parse("x y z r\n1 2 3 4\n", RadiusColumn("s")), "RadiusColumn requires a column 's'");
+}
+
+TEST(Tables, ColumnsThatAreNotGuessed)
+{
+  EXPECT_SAYS(Parse("1 2 3 4 5\n"), "Line 1: 5 columns without names: set Columns");
+  EXPECT_SAYS(
+    Parse("x,y,radius\n1,2,3\n"), "a column 'z' is required, got the columns 'x', 'y', 'radius'");
+  for (const char* numbered : { "1 1.5 2.5 3.5\n2 4.5 5.5 6.5\n3 8 8 8\n",
+         "3 1.5 2.5 3.5\n1 4.5 5.5 6.5\n2 8 8 8\n", "0 1.5 2.5 1\n1 4.5 5.5 1\n2 8 8 1\n" })
+  {
+    EXPECT_SAYS(Parse(numbered), "The first column counts the rows: set Columns");
+  }
+  EXPECT_EQ(Parse("1 1.5 2.5 3.5\n2 4.5 5.5 6.5\n3 8 8 8\n", Columns("id,x,y,z")).Id.size(), 3u);
+  const PackFrame bare = Parse("1.5 2.5 3.5\n4.5 5.5 6.5\n");
+  EXPECT_EQ(bare.Size(), 2u);
+  EXPECT_TRUE(bare.Radius.empty());
+}
+
+TEST(Tables, BadRows)
+{
+  EXPECT_SAYS(Parse("1,2,3,1\n1,2,abc,1\n"), "Line 2: column 3 requires a number, got 'abc'");
+  EXPECT_SAYS(
+    Parse("x,y,z,r\n\n1,2,3,1\n1,2,3,1x\n"), "Line 4: column 4 ('r') requires a number, got '1x'");
+  EXPECT_SAYS(Parse("1,2,3,1\n1,2,,1\n"), "Line 2: column 3 requires a number, got ''");
+  EXPECT_SAYS(Parse("1,2,3,1\n1,2,3\n"), "Line 2: 4 fields are required, got 3");
+  EXPECT_SAYS(Parse("1,2,3,1\n1,2,3,1,5\n"), "Line 2: 4 fields are required, got 5");
+  EXPECT_SAYS(Parse("1,2,3,1\n1,nan,3,1\n"), "column 2 requires a finite number, got 'nan'");
+  EXPECT_SAYS(
+    Parse("1,2,3,1\n1,1e999,3,1\n"), "column 2 requires a number from 4.9e-324 to 1.8e308");
+  EXPECT_SAYS(Parse("x,y,z,r\n1e-330,2,3,1\n"), "requires a number from 4.9e-324 to 1.8e308");
+  EXPECT_SAYS(Parse("1,2,3,1\n1,2,3,0\n"), "Line 2: column 4 requires a number > 0, got '0'");
+  EXPECT_SAYS(Parse("x,y,z,r,d\n1,2,3,1,1\n"), "radius and diameter are required to agree");
+  for (const char* comma :
+    { "x;y;z;r\n1,5;2,5;3,5;0,5\n", "1,5;2,5;3,5;0,5\n", "x y z r\n1,5 2 3 1\n" })
+  {
+    EXPECT_SAYS(Parse(comma), "requires a decimal point, got '1,5'");
+  }
+  EXPECT_SAYS(
+    Parse("1,2,3,1\n" + std::string(70000, '1')), "Line 2: a line of at most 65536 bytes");
+}
+
+TEST(Tables, NotText)
+{
+  EXPECT_SAYS(
+    Parse(std::string("\xFF\xFEx\0,\0y\0\n\0", 12)), "got UTF-16: save the table as UTF-8");
+  EXPECT_SAYS(Parse("x [\xB5m],y,z,r\n1,2,3,4\n"),
+    "Line 1: UTF-8 text is required, got the byte 181 at place 4, as in Latin-1");
+  EXPECT_SAYS(Parse("1,2,3,1\n1,2,3,\xC0\x80\n"), "Line 2: UTF-8");
+  EXPECT_SAYS(Parse(std::string("\x7F"
+                                "ELF\0\0\0\0",
+                8)),
+    "no format");
+  EXPECT_SAYS(Parse("some words, and more\n"), "no format");
+  EXPECT_SAYS(Parse(""), "no format");
+}
