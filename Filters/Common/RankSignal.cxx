@@ -109,7 +109,7 @@ private:
   }
 
   vtkMPIController* Controller;
-  vtkMPICommunicator::Request Receipt; // of a higher rank
+  vtkMPICommunicator::Request Receipt; // of the message, on a rank above 0
   int Message = 0;
   bool Done = false; // given, or received
 };

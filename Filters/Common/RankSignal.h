@@ -10,29 +10,32 @@
 class RankCommunicator;
 
 /**
- * One-way message from rank 0 to the ranks that work on their own, such as the reason to stop. It
- * is a number; 0 stands for none. Construction and Close are collective.
+ * A one-way message from rank 0 to the ranks, which work on their own meanwhile; such as the reason
+ * to stop. It is a number, and 0 stands for no message. Construction and Close are collective.
  */
 class RUCCOMMON_EXPORT RankSignal
 {
 public:
-  /** The ranks must be connected by MPI (RankCommunicator::RequireMpi), or be one. */
+  /** There must be one rank, or MPI must connect the ranks (RankCommunicator::RequireMpi). */
   explicit RankSignal(const RankCommunicator& ranks);
   ~RankSignal();
 
-  /** On rank 0: sends a message that is not 0, the first time. */
+  /** Sends a message that is not 0. Only the first one is sent. On rank 0 alone. */
   void Give(int message);
 
-  /** The message, or 0 as long as there is none; may be called at any time and rate. */
+  /**
+   * Returns the message, or 0 as long as there is none. May be called at any time and as often as
+   * wanted.
+   */
   int Heard();
 
   /**
-   * Collective: ends when all ranks have come here. Until then rank 0 calls `ask` about ten times a
-   * second, and sends the first number that is not 0.
+   * Returns when all ranks have come here. Until then rank 0 calls `ask` about ten times a second,
+   * and sends the first number that is not 0. Collective.
    */
   void Close(const std::function<int()>& ask);
 
-  /** Whether this plugin was built with MPI; without, there is one rank. */
+  /** Whether this plugin was built with MPI. Without it there is one rank. */
   static const bool WithMpi;
 
 private:
@@ -40,5 +43,5 @@ private:
   void operator=(const RankSignal&) = delete;
 
   class Ranks;
-  std::unique_ptr<Ranks> Others; // null where there is one rank
+  std::unique_ptr<Ranks> Others; // null if there is one rank
 };

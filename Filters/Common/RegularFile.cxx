@@ -22,7 +22,7 @@ using ruc::Text;
   throw std::invalid_argument(what);
 }
 
-// An open file, closed at the end of its life
+// An open file, which is closed at the end of the object's life
 class OpenFile
 {
 public:
@@ -49,7 +49,7 @@ public:
 
   double Size() const { return static_cast<double>(this->Status.st_size); }
 
-  // At most `count` bytes; 0 at the end of the file
+  // Reads at most `count` bytes and returns how many; 0 at the end of the file
   std::size_t Read(char* bytes, std::size_t count) const
   {
     ssize_t got = -1;
@@ -107,7 +107,7 @@ std::string RegularFile::Read(const std::string& name)
   const OpenFile file(name);
   RequireRoom(file.Size());
   std::string bytes(static_cast<std::size_t>(file.Size()), '\0');
-  // Files of the system tell no size, and a file may become longer
+  // Some files of the system have no size, and a file may become longer meanwhile
   for (std::size_t done = 0;;)
   {
     if (done == bytes.size())

@@ -30,7 +30,8 @@ bool ParseDouble(std::string_view text, double& value)
 
 bool ParseDoubleByStrtod(std::string_view text, double& value)
 {
-  // What strtod takes and from_chars does not: leading space and plus, and hexadecimal numbers
+  // This refuses what strtod takes and from_chars does not: leading space and plus, and hexadecimal
+  // numbers
   const std::string_view digits = text.substr(!text.empty() && text.front() == '-' ? 1 : 0);
   if (digits.empty() ||
     std::string_view(".0123456789inIN").find(digits.front()) == std::string_view::npos ||

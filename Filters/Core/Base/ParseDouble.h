@@ -7,17 +7,18 @@
 namespace ruc
 {
 /**
- * Reads a text that is one number as std::from_chars takes it: in decimal or with an exponent, with
- * a point whatever the locale, also "inf" and "nan"; no white space, "+" or hexadecimal digits.
+ * Reads a text that is one number, as std::from_chars takes it: in decimal form or with an
+ * exponent, with a point whatever the locale, or "inf" or "nan"; without white space, "+" or
+ * hexadecimal digits.
  *
- * Returns false where it is anything else, and leaves `value` as it is. A number beyond the range
- * of double, too large or too small, is infinity.
+ * Returns false, and leaves `value` as it is, if the text is anything else. A number beyond the
+ * range of double, too large or too small, becomes infinity.
  */
 bool ParseDouble(std::string_view text, double& value);
 
 /**
- * The same by strtod in the C locale, for standard libraries whose from_chars knows integers only
- * (GCC before 11); slower.
+ * The same by strtod in the C locale, which is slower. It is for standard libraries whose
+ * from_chars knows only integers (GCC before 11).
  */
 bool ParseDoubleByStrtod(std::string_view text, double& value);
 }

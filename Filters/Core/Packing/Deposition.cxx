@@ -3,14 +3,13 @@
 #include "ruc/Packing/Deposition.h"
 
 #include "ruc/Base/Random.h"
-#include "ruc/Base/Text.h"
+#include "ruc/Base/Require.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 
 namespace ruc
 {
@@ -108,11 +107,7 @@ private:
 BallisticDeposition DepositBallistically(const std::vector<double>& radii, double edge,
   std::uint32_t seed, std::uint32_t number, double degree, const std::function<bool()>& carryOn)
 {
-  if (!(degree >= 0.0 && degree <= 1.0))
-  {
-    throw std::invalid_argument(
-      Text("DepositionDegree requires 0 <= DepositionDegree <= 1, got ", degree, "."));
-  }
+  Require(degree >= 0.0 && degree <= 1.0, "DepositionDegree", "0 <= DepositionDegree <= 1", degree);
   std::vector<std::size_t> order(radii.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(

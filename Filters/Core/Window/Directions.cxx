@@ -2,20 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Window/Directions.h"
 
-#include "ruc/Base/Text.h"
+#include "ruc/Base/Require.h"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace ruc
 {
 std::vector<Vector3> EvenDirections(int count)
 {
-  if (count < 2)
-  {
-    throw std::invalid_argument(
-      Text("NumberOfDirections requires a number >= 2, got ", count, "."));
-  }
+  Require(count >= 2, "NumberOfDirections", "a number >= 2", count);
   constexpr double goldenAngle = 2.39996322972865332;
   std::vector<Vector3> directions;
   for (int i = 0; i < count; ++i)

@@ -19,11 +19,14 @@
 
 namespace ruc
 {
-/** Makes and evaluates members of a population on all ranks and threads, each member on one. */
+/**
+ * Makes and evaluates the members of a population on all ranks and threads, each member on one
+ * thread of one rank.
+ */
 class MemberMaker
 {
 public:
-  /** All that is referred to must outlive the maker. */
+  /** All arguments must outlive the maker. */
   MemberMaker(
     const CellContents& contents, const TwoPointProbability& target, Communicator& communicator)
     : Contents(contents)
@@ -36,18 +39,19 @@ public:
   }
 
   /**
-   * Collective: members `first` to `last` - 1 on all ranks. make(n, goesOn) returns the centres of
-   * the n-th and is called by any thread of any rank, once for each.
+   * Makes the members `first` to `last` - 1 and returns them on all ranks. make(n, goesOn) returns
+   * the centres of the n-th member. It is called once for each, by any thread of any rank.
+   * Collective.
    *
    * Meanwhile carryOn() is asked again and again on the thread that calls this. When it says no,
-   * this rank begins no other member, and goesOn(), which work on a long one asks, says no. What is
-   * not made then is not made on any rank (Member::IsMade).
+   * this rank begins no other member, and goesOn(), which a long make() asks, says no as well. A
+   * member that is not made then has no centres on any rank (Member::IsMade).
    */
   template <class Function, class Question>
   std::vector<Member> Make(int first, int last, Function&& make, Question&& carryOn)
   {
     const std::size_t length = 3 * std::size_t(this->Contents.NumberOfSpheres());
-    const std::size_t stride = length + 3; // with F2, overlap, and 1 where it is made
+    const std::size_t stride = length + 3; // centres, F2, overlap, and 1 if the member is made
     const int number = last - first;
     std::vector<double> numbers(number * stride, 0.0);
     const int rank = this->Ranks.Rank(), ranks = this->Ranks.Size();
@@ -78,7 +82,7 @@ public:
 #pragma omp master
       while (left > 0 && goesOn())
       {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1)); // others still work
+        std::this_thread::sleep_for(std::chrono::milliseconds(1)); // other threads still work
       }
     }
     this->Ranks.AllGatherInTurn(numbers.data(), number, [&](std::size_t n) { return n * stride; });

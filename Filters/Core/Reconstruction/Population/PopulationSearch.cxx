@@ -41,14 +41,14 @@ public:
   void Start()
   {
     this->State.Temperature = this->Settings.InitialTemperature;
-    // All that there is where the search is stopped before a member is made
+    // This member is all that there is where the search is stopped before another one is made
     Member start = this->Evaluated(RandomCentres(this->Contents, this->Settings.Seed, 0));
     const SearchState startState = { SearchPhase::AnnealingPopulation, 0, start.Objective,
       start.OverlapPercent };
     const auto keep = [&](Member& member)
     {
       this->State.Add(std::move(member));
-      this->State.First = this->State.Range(); // of those that there are
+      this->State.First = this->State.Range(); // of the members made so far
     };
     this->MakeMembers(
       this->Settings.Population,
@@ -102,13 +102,13 @@ private:
     return { std::move(centres), objective, MeasureOverlap(pack, this->Box).Percent };
   }
 
-  // `number` members, the n-th made by make(n, carryOn) and evaluated by one thread of rank
-  // n % ranks; then given to keep(member) in their order on all ranks. Meanwhile the caller is told
-  // describe() and asked whether to go on; the others are left out when it does not.
+  // Makes `number` members, the n-th by make(n, carryOn) on one thread of rank n % ranks, and gives
+  // them to keep(member) in their order on all ranks. Meanwhile the caller is told describe() and
+  // asked whether to go on; when it does not, the other members are left out.
   template <class Make, class Keep, class Describe>
   void MakeMembers(int number, Make&& make, Keep&& keep, Describe&& describe)
   {
-    constexpr int MembersOfRank = 64; // until the wish of another rank is known
+    constexpr int MembersOfRank = 64; // after these, the wish of another rank is heard
     const int some = MembersOfRank * this->Ranks.Size();
     for (int first = 0; first < number && !this->Stopped; first += some)
     {
@@ -166,7 +166,7 @@ private:
     return true;
   }
 
-  // The steps of Algorithm 1: select, alter and replace
+  // The steps of Algorithm 1: select, alter and replace. Returns false when a rank wished to stop.
   bool Breed()
   {
     const std::vector<double> fitness = this->FitnessOfAll();

@@ -13,10 +13,11 @@
 
 namespace ruc
 {
+/** What SearchByPopulation returns. */
 struct PopulationResult
 {
   UnitCell Best;                // the best member, freed from the last overlap
-  ObjectiveRange Before, After; // of the first and the last population
+  ObjectiveRange Before, After; // F2 of the first and the last population
 };
 
 /**
@@ -31,15 +32,16 @@ struct PopulationResult
  * threads. Members of the first population and children are made and evaluated in turn, number n by
  * rank n % ranks. All ranks share the descents of the hybrid, one after another. Collective.
  *
- * `carryOn` is asked on every rank, on the calling thread, in all that may take long: every
- * generation, the first population being generation 0, and again and again while members are made,
- * in descents, and while overlap is removed. When it returns false on any rank, the search ends
- * with the best cell so far, that of the last whole generation or of the members that are made of
- * the first population; the overlap of that cell is removed where that takes a few hundred steps.
- * `save`, if any, is given the state after every whole generation. `resume` is a
- * state to go on from instead of a first population, on any number of ranks; throws
- * std::invalid_argument if it is not one of these contents and settings, or for settings out of
- * range.
+ * `carryOn` is asked on every rank, on the calling thread, during all that may take long: in every
+ * generation, of which the first population is number 0, and again and again while members are
+ * made, in descents, and while overlap is removed. When it returns false on any rank, the search
+ * ends with the best cell so far: that of the last whole generation, or the best of the members of
+ * the first population that are made. The overlap of that cell is removed if a few hundred steps
+ * suffice.
+ *
+ * `save`, if any, is given the state after every whole generation. `resume` is a state to go on
+ * from instead of a first population, on any number of ranks. Throws std::invalid_argument if it is
+ * not a state of these contents and settings, and for settings out of range.
  */
 PopulationResult SearchByPopulation(const CellContents& contents, const TwoPointProbability& target,
   const PopulationSettings& settings, Communicator& communicator,

@@ -11,18 +11,18 @@
 
 namespace ruc
 {
-/** A cell of a population with what its fitness is made of. */
+/** A cell of a population, with the numbers that make up its fitness. */
 struct Member
 {
   Chromosome Centres;
-  double Objective = 0.0;
+  double Objective = 0.0; // F2
   double OverlapPercent = 0.0;
 
-  /** False for one that was given up. */
+  /** Returns whether the member was made; false for one whose making was given up. */
   bool IsMade() const { return !this->Centres.empty(); }
 };
 
-/** F2 over a population, as in Table I. */
+/** The least, mean and greatest F2 of a population, as in Table I of the paper. */
 struct ObjectiveRange
 {
   double Minimum = 0.0, Mean = 0.0, Maximum = 0.0;
@@ -34,32 +34,39 @@ struct ObjectiveRange
   }
 };
 
-/** All of a search between two generations: it resumes from it to the same end, bit by bit. */
+/**
+ * The whole state of a search between two generations, from which it resumes to the same end, bit
+ * by bit.
+ */
 struct PopulationState
 {
   int Generation = 0;
-  std::vector<Chromosome> Centres; // of every member, x, y, z of every sphere
-  std::vector<double> Objective;   // F2
+  // For every member x, y, z of every sphere, its F2 and its overlap
+  std::vector<Chromosome> Centres;
+  std::vector<double> Objective;
   std::vector<double> OverlapPercent;
   ObjectiveRange First; // of the first population; (15) divides by its maximum
   double Temperature = 0.0;
-  int Stagnation = 0;                   // generations without a better best member
-  std::vector<SearchState> Convergence; // of the best member
-  // Of the hybrid: the descent of the best member
-  int Descending = -1; // the member, or -1
+  int Stagnation = 0;                   // generations since the best member last became better
+  std::vector<SearchState> Convergence; // the best member of every generation
+  // The descent of the best member in the hybrid
+  int Descending = -1; // the number of that member, or -1
   DescentState Descent;
 
+  /** Appends a member. */
   void Add(Member member);
 
-  /** Equation (15). */
+  /** Returns the fitness of every member, equation (15). */
   std::vector<double> Fitness(double halfOverlap) const;
-  /** The member with the best fitness. */
+  /** Returns the number of the member with the best fitness. */
   int BestMember(double halfOverlap) const;
-  /** F2 of the members there are, one at least. */
+  /** Returns the range of F2. There must be a member. */
   ObjectiveRange Range() const;
 
-  /** Throws std::invalid_argument unless this is a state of so many members with so many spheres,
-   * between two generations. */
+  /**
+   * Throws std::invalid_argument unless this is a state between two generations with `members`
+   * members of `spheres` spheres.
+   */
   void Require(std::size_t members, std::size_t spheres) const;
 
   template <class Self>

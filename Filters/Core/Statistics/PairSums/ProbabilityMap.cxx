@@ -3,6 +3,7 @@
 #include "ruc/Statistics/PairSums/ProbabilityMap.h"
 
 #include "ruc/Base/FixedPointSums.h"
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Base/Vector3.h"
 #include "ruc/Base/VectorClones.h"
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
 
 namespace ruc
 {
@@ -175,34 +175,22 @@ void CheckMap(const PackShare& share, const std::vector<std::array<int, 2>>& pai
   double reach)
 {
   const int matrix = share.NumberOfModes();
-  if (pairs.empty())
-  {
-    throw std::invalid_argument("PhasePairs requires at least one pair of phases, got none.");
-  }
+  Require(!pairs.empty(), "PhasePairs", "at least one pair of phases", "none");
   for (const std::array<int, 2>& pair : pairs)
   {
     for (int phase : pair)
     {
-      if (phase < 0 || phase > matrix)
-      {
-        throw std::invalid_argument(
-          Text("PhasePairs requires phases from 0 to ", matrix, " (the matrix), got ", phase, "."));
-      }
+      Require(phase >= 0 && phase <= matrix, "PhasePairs",
+        Text("phases from 0 to ", matrix, " (the matrix)"), phase);
     }
   }
-  if (!(spacing > 0.0 && std::isfinite(spacing)))
-  {
-    throw std::invalid_argument(Text("Spacing requires a finite number > 0, got ", spacing, "."));
-  }
+  Require(spacing > 0.0 && std::isfinite(spacing), "Spacing", "a finite number > 0", spacing);
   const LagLimit limit = LagLimit::ForMap(share.Observed, share.LargestRadius);
   limit.Check(reach);
   const double most = std::floor(0.5 * (std::cbrt(MostNumbers / pairs.size()) - 1.0));
   const double half = std::floor(reach / spacing * (1.0 + 1e-12));
-  if (half > most)
-  {
-    throw std::invalid_argument(Text("Resolution requires at most ", most, " for ", pairs.size(),
-      " pairs of phases, got ", half, "."));
-  }
+  Require(half <= most, "Resolution",
+    Text("at most ", most, " for ", pairs.size(), " pairs of phases"), half);
   limit.CheckSpacing(spacing);
 }
 

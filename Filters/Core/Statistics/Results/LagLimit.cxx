@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Statistics/Results/LagLimit.h"
 
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 
 #include <algorithm>
@@ -113,16 +114,10 @@ LagLimit LagLimit::ForCell(double edge)
 
 LagGrid LagLimit::MakeGrid(double maximum, int numberOfLags) const
 {
-  if (!(std::isfinite(maximum) && maximum >= 0.0))
-  {
-    throw std::invalid_argument(
-      Text("MaximumLag requires a finite number >= 0 (0: automatic), got ", maximum, "."));
-  }
-  if (numberOfLags < 1 || numberOfLags > MostLags)
-  {
-    throw std::invalid_argument(
-      Text("NumberOfLags requires 1 <= NumberOfLags <= ", MostLags, ", got ", numberOfLags, "."));
-  }
+  Require(std::isfinite(maximum) && maximum >= 0.0, "MaximumLag",
+    "a finite number >= 0 (0: automatic)", maximum);
+  Require(numberOfLags >= 1 && numberOfLags <= MostLags, "NumberOfLags",
+    Text("1 <= NumberOfLags <= ", MostLags), numberOfLags);
   this->RequireRoom();
   return { (maximum > 0.0 ? maximum : this->Automatic) / numberOfLags, numberOfLags };
 }

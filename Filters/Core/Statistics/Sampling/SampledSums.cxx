@@ -3,6 +3,7 @@
 #include "ruc/Statistics/Sampling/SampledSums.h"
 
 #include "ruc/Base/FixedPoint.h"
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Base/VectorClones.h"
 #include "ruc/Statistics/Results/LagLimit.h"
@@ -235,11 +236,8 @@ SampledTwoPoint SampledSums::Result() const
 void CheckSampling(const SamplingSettings& settings, const SampleNames& names, int modes,
   const LagGrid& lags, const SamplingRegion& region)
 {
-  if (!(settings.TargetError >= 0.0 && std::isfinite(settings.TargetError)))
-  {
-    throw std::invalid_argument(
-      Text("TargetError requires a finite number >= 0, got ", settings.TargetError, "."));
-  }
+  Require(settings.TargetError >= 0.0 && std::isfinite(settings.TargetError), "TargetError",
+    "a finite number >= 0", settings.TargetError);
   if (settings.TargetError == 0.0 && settings.Samples < 1)
   {
     throw std::invalid_argument(

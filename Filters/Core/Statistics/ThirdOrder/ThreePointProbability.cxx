@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Statistics/ThirdOrder/ThreePointProbability.h"
 
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Statistics/Results/Phases.h"
 
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
 namespace ruc
@@ -48,10 +48,7 @@ std::vector<PhaseTriple> ParseTriples(const std::string& text, int modes)
       triples.push_back(triple);
     }
   }
-  if (triples.empty())
-  {
-    throw std::invalid_argument("Phases requires at least one triple of phases, got none.");
-  }
+  Require(!triples.empty(), "Phases", "at least one triple of phases", "none");
   return triples;
 }
 
