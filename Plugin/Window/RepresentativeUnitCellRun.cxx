@@ -31,8 +31,8 @@
 
 namespace
 {
-// Logarithms of 1, 2, 5, 10, … from the last at or below `low` to the first at or above `high`; of
-// whole decades where these would be many
+// The logarithms of 1, 2, 5, 10, … from the last at or below `low` to the first at or above `high`,
+// or of whole decades where these would be many
 std::vector<double> Ticks(double low, double high)
 {
   constexpr double margin = 1e-9;
@@ -135,8 +135,8 @@ private:
 
   QString Title;
   std::vector<QPointF> Points; // seconds, logarithm of the value
-  // As it is drawn now: the frame on the widget, the logarithms at its bottom and top, its last
-  // second
+  // How it is drawn now: the frame on the widget, the logarithms at its bottom and top, and its
+  // last second
   QRectF Frame;
   double Low = 0.0, High = 1.0, Last = 1.0;
 };

@@ -45,7 +45,7 @@ pqRUCCameraReset::pqRUCCameraReset(QObject* parent)
 
 void pqRUCCameraReset::onStartup()
 {
-  // Loaded by hand, or before there is a window
+  // The plugin may be loaded by hand, or before there is a window
   this->connectPanels();
   QObject::connect(pqApplicationCore::instance(), &pqApplicationCore::clientEnvironmentDone, this,
     &pqRUCCameraReset::connectPanels);

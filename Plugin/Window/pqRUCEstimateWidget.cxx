@@ -54,7 +54,8 @@ void ForEachProperty(vtkSMProxy* proxy, const Act& act)
   }
 }
 
-// Of the input on all ranks together, which a rank of the server does not know
+// The number of spheres of the input on all ranks together, which a rank of the server does not
+// know
 vtkIdType CountSpheres(vtkSMProxy* proxy)
 {
   const vtkSMPropertyHelper input(proxy, "Input", true);
@@ -63,8 +64,8 @@ vtkIdType CountSpheres(vtkSMProxy* proxy)
   return source ? source->GetDataInformation(input.GetOutputPort())->GetNumberOfPoints() : 0;
 }
 
-// Another proxy like the filter's, with what stands in the panel now; null where the session is
-// gone
+// Makes another proxy like the filter's, with what stands in the panel now; null where the session
+// is gone
 vtkSmartPointer<vtkSMProxy> MakeScratch(vtkSMProxy* filter)
 {
   vtkSMSessionProxyManager* proxies = filter->GetSessionProxyManager();
@@ -92,7 +93,7 @@ vtkSmartPointer<vtkSMProxy> MakeScratch(vtkSMProxy* filter)
   return scratch;
 }
 
-// With one or two digits: more would promise too much
+// A number with one or two digits, as more would promise too much
 QString RoundedText(double value)
 {
   const double digit = std::pow(10.0, std::floor(std::log10(value)) - (value < 10.0 ? 0 : 1));

@@ -121,7 +121,7 @@ void pqRUCRunMonitor::onProgress(const QString& text, int percent)
   }
   this->Window.write(this->Unsaid);
   this->Unsaid.clear();
-  // There is no event loop that would write and read meanwhile.
+  // There is no event loop that would write and read meanwhile
   this->Window.waitForBytesWritten(0);
   this->Window.waitForReadyRead(0);
   while (this->Window.canReadLine())

@@ -23,8 +23,8 @@ struct RunProgress;
  * changes during a run stands in that text; the rest stands in the hints of the filter's proxy, so
  * that a new filter needs no line here:
  *
- *     <Run stop="Ends the search and keeps the best cell so far" quantity="F2" title="Objective
- * F2"/>
+ *     <Run stop="Ends the search and keeps the best cell so far" quantity="F2"
+ *       title="Objective F2"/>
  *
  * `stop` tells what Stop does. `quantity` is the name of the value of the progress that is drawn
  * against time, on a logarithmic axis, and `title` the title of that drawing; without them nothing
