@@ -4,7 +4,7 @@
 
     xvfb-run -a -s "-screen 0 1400x1000x24 -noreset" pvbatch cell_pictures.py --input cells --output Pictures
 
-One rank. The figures of the paper that they correspond to are 12(a), 12(b) and 13.
+It runs on one rank. The figures of the paper that they correspond to are 12(a), 12(b) and 13.
 """
 import argparse
 import math
@@ -45,7 +45,7 @@ class CellPictures(Charts):
     # ---- volume fractions, Fig. 12 ----
 
     def bars(self, name, y_title, y_labels, series):
-        """A group of bars a mode. series: {label: (values, colour)}"""
+        """A group of bars for each mode. series: {label: (values, colour)}"""
         modes = [phase for phase in self.fractions if phase != "m"]
         view = CreateView("XYBarChartView", ViewSize=SIZE)
         view.BottomAxisTitle, view.LeftAxisTitle, view.LegendFontSize = "mode", y_title, 20
@@ -103,7 +103,7 @@ class CellPictures(Charts):
         self.save(view, "cell_two_point.png")
 
     def draw_differences(self):
-        """Mean less pack, where the standard deviation shows."""
+        """The mean minus the pack, where the standard deviation shows."""
         scale, series, values, pairs = 1e4, [], [0.0], [self.pairs[0], self.pairs[min(2, len(self.pairs) - 1)]]
         for n, (pair, colour) in enumerate(zip(dict.fromkeys(pairs), COLOURS)):
             difference = [scale * (a - b) for a, b in zip(self.two[f"S_{pair}_mean"], self.two[f"S_{pair}_pack"])]

@@ -6,7 +6,7 @@
 
 prints the paper's Table I for these cells beside the paper's own, the errors of volume fractions (equation 16) and the difference of
 the mean S_rs (equation 17), and writes the cells, their tables and the mean S_rs with its standard deviation. No display is needed. With
---check it then tests its own results by independent means and ends with an error where one of them fails.
+--check it then tests its own results by independent means and ends with an error if one of them fails.
 """
 import csv
 import itertools
@@ -91,7 +91,7 @@ class Job:
         return f"cell_{field(cell, 'Cell'):.0f}.vtp"
 
     def two_point(self, cell):
-        """S_rs of the cell from its file, summed over its pairs anew."""
+        """S_rs of the cell in a file, summed over its pairs anew."""
         source = XMLPolyDataReader(FileName=[self.path(self.cell_file(cell))])
         return columns(fetch(TwoPointProbability(Input=source, MaximumLag=self.args.maximum_lag, NumberOfLags=self.args.lags)))
 
@@ -140,7 +140,7 @@ def write_files(job):
     write_tables(job.args.output, job.tables)
     for cell in job.cells:
         write_data(vtkXMLPolyDataWriter(), cell, job.path(job.cell_file(cell)))
-    # The files are there: S_rs of every cell, for whatever one may want to do with them
+    # S_rs of every cell also goes to a file, for other uses
     for cell in job.cells:
         write_table(job.args.output, f"two_point_{job.cell_file(cell)[:-4]}.csv", job.two_point(cell))
 

@@ -62,16 +62,16 @@ def check_fractions(job):
     """c_r: sums over phases, and the methods against each other"""
     one, phases = one_point(job), job.phases()
     for method in ("SphereVolumes", "ChordSampling", "TemplateSampling"):
-        require(close(sum(one[method]), 1.0, 1e-12), f"the c_r of {method} do not add to 1")  # each by rounding only
+        require(close(sum(one[method]), 1.0, 1e-12), f"the c_r of {method} do not add to 1")  # they differ by rounding only
     octants = [field(checks, "SphereVolumeFractions") for checks, _ in blocks(job)]
     for i, phase in enumerate(phases):
         chords, template = one["ChordSampling"][i], one["TemplateSampling"][i]
-        # Chords and throws sample the same points. 5 standard errors, and where a phase is so rare that the batches cannot tell them,
-        # those of counts: 5 throws
+        # Chords and throws sample the same points. The limit is 5 standard errors; where a phase is so rare that the batches cannot tell them,
+        # it is that of counts, 5 throws
         error = math.hypot(one["ChordSampling_error"][i], one["TemplateSampling_error"][i])
         require(close(chords, template, 5.0 * error + 5.0 / job.args.throws), f"c_{phase}: {chords} by chords, {template} by throws")
         # The spheres are counted in the whole window, the chords lie within a margin of it: these parts of the pack differ by less than
-        # the standard error of a part as large, which 8 octants give with 7 degrees of freedom: 5 of these
+        # the standard error of a part as large, which 8 octants give with 7 degrees of freedom. The limit is 5 of these
         part = standard_error([fractions[i] if i < len(fractions) else 0.0 for fractions in octants])
         require(close(one["SphereVolumes"][i], chords, 5.0 * math.hypot(part, one["ChordSampling_error"][i])),
                 f"c_{phase}: {one['SphereVolumes'][i]} by spheres, {chords} by chords")
@@ -89,7 +89,7 @@ def check_identities(job):
         for k in range(args.lags + 1):
             total = sum(table[pair(phases, r, s)][k] for r, s in itertools.product(phases, phases))
             require(close(total, 1.0, 1e-11), f"the sum of all S_rs is {total} at lag {k}")
-    at_zero = 1e-12 + 2.0 * overlap / 100.0  # an overlap counts for both orders of its two spheres
+    at_zero = 1e-12 + 2.0 * overlap / 100.0  # an overlap counts in both orders of its two spheres
     for r, c_r in zip(phases, c):
         own = [exact[pair(phases, r, s)] for s in phases]
         require(all(close(sum(values), c_r, 1e-11) for values in zip(*own)), f"the sum over s of S_{r}_s is not c_{r}")
@@ -109,7 +109,7 @@ def check_identities(job):
     require(close(field(fetch(job.exact, 1), "VolumeCheck"), 0.0, 1e-12), "the c_r do not add to 1")
     require(all(error <= at_zero for error in checks["ErrorAtZero"]), "an error at lag 0 is not of rounding")
     for name, error, length in zip(checks["Pair"], checks["ErrorAtInfinity"], checks["SaturationLength"]):
-        # Saturated means within the tolerance (0.0005, the default) at all lags beyond
+        # S_rs has saturated where it is within the tolerance (0.0005, the default) at all lags beyond
         require(math.isnan(length) or error <= 0.0005 + 1e-12, f"{name} is called saturated, but {error} from its limit")
     surface, slope = (field(fetch(job.exact, 1), name) for name in ("SpecificSurface", "SpecificSurfaceFromSlope"))
     # Spheres just not in contact make the differences at 0 good to first order in the step only (see convergence.py): by 0.2 steps / mean
@@ -127,8 +127,8 @@ def check_methods(job):
         name = pair(phases, r, s)
         error = norm([math.hypot(a, b) for a, b in zip(chords[name + "_error"], template[name + "_error"])])
         difference = norm([a - b for a, b in zip(chords[name], template[name])])
-        # The norm of the standard errors is that of a difference, root mean square; lags go together, so that the norm scatters as a
-        # single number does: 5. Phases that the throws hardly meet have no good errors; 5 throws of 20 directions do not count
+        # The norm of the standard errors is that of a difference, root mean square; lags go together, so that the norm scatters as a single
+        # number does; the limit is 5 of them. Phases that the throws hardly meet have no good errors; 5 throws of 20 directions do not count
         rare = 5.0 / (20.0 * job.args.throws) * math.sqrt(job.args.lags)
         require(difference <= 5.0 * error + rare, f"{name}: template and chords differ by {difference}, the error is {error}")
         # The exact sum sees the whole window, the chords what lies within its margin: see check_fractions
@@ -139,7 +139,7 @@ def check_methods(job):
         require(difference <= 5.0 * error, f"{name}: exact and chords differ by {difference}, parts of the pack by {error}")
     checks = table_of(job.chords, 1)
     for name, asymmetry in zip(checks["Pair"], checks["Asymmetry"]):
-        # C_rs - C_sr scatters twice as much as the mean of both, if they are independent: 5 times that
+        # C_rs - C_sr scatters twice as much as the mean of both, if they are independent; the limit is 5 times that
         bound = 5.0 * 2.0 * norm(chords[name + "_error"]) / norm(chords[name])
         require(asymmetry <= bound, f"{name}: asymmetry {asymmetry}, bound {bound}")
 
@@ -155,10 +155,10 @@ def check_isotropy(job):
             mean = sum(values) / number
             deviation = math.sqrt(sum((value - mean)**2 for value in values) / (number - 1))
             require(close(deviation, sigma["sigma_" + name][k], 1e-12), f"sigma_{name} at lag {k} is not {deviation}")
-            # Directions spread evenly have a mean nearer to that over the sphere than random ones: 5 standard errors of these
+            # Directions spread evenly have a mean nearer to that over the sphere than random ones. The limit is 5 standard errors of these
             require(close(mean, exact[name][k], 5.0 * deviation / math.sqrt(number) + 1e-9), f"{name} at lag {k}: mean {mean}")
     if job.args.input == os.path.join(HERE, "Data", "bead_block.csv"):
-        # What the paper finds for its settled pack, of S_mm in Fig. 6
+        # The paper finds this for S_mm of its settled pack, in Fig. 6
         require(isotropy_in_percent(job, "S_m_m") < 1.0, f"sigma of S_mm is {isotropy_in_percent(job, 'S_m_m')} % of S_mm")
 
 
@@ -192,10 +192,10 @@ def check_chord_lengths(job):
         spread = step * math.sqrt(sum(error**2 for error in table[f"p_{phase}_error"] if not math.isnan(error)))
         require(total <= 1.0 + 5.0 * spread + 1e-9, f"the density of chords of {phase} adds to {total}")
         require(close(path[0], two[f"S_{phase}_{phase}"][0], 1e-9), f"L_{phase}(0) is not c_{phase}")
-        # A segment in a phase has its ends there: by the same lines, so within rounding
+        # A segment in a phase has its ends there. Both are from the same lines, so they agree within rounding
         require(all(a <= b + 1e-9 for a, b in zip(path, two[f"S_{phase}_{phase}"])), f"L_{phase} exceeds S_{phase}_{phase}")
-    # c_r / (surface of spheres / 4) of matrix: 4 c_m / s. The octants tell how much parts differ (5 standard errors, see above); a line
-    # crosses at least one chord of the matrix, whose number therefore scatters by less than 1 / sqrt(lines): 5 of these
+    # c_r / (surface of spheres / 4) of matrix: 4 c_m / s. The octants tell how much parts differ (the limit is 5 standard errors, see above); a
+    # line crosses at least one chord of the matrix, whose number therefore scatters by less than 1 / sqrt(lines); the limit is 5 of these
     expected = [4.0 * field(checks, "SphereVolumeFractions")[-1] / field(checks, "SpecificSurface") for checks, _ in blocks(job)]
     mean = sum(expected) / 8.0
     bound = 5.0 * math.hypot(standard_error(expected), mean / math.sqrt(job.args.lines))
@@ -211,7 +211,7 @@ def check_distances(job):
         require(all(g == 0.0 for r, g in zip(table["r"], table["g"]) if r + step < 0.95 * smallest), "spheres are nearer than contact")
     if not math.isnan(field(fetch(job.exact), "SaturationLength")):
         far = table["g"][3 * len(table["g"]) // 4:]
-        # Saturated: what is left of order at the last quarter of the lags is a few percent at most, and is averaged
+        # g_rs has saturated: what is left of order at the last quarter of the lags is a few percent at most, and is averaged
         require(close(sum(far) / len(far), 1.0, 0.05), f"g is {sum(far) / len(far)} far away")
 
 
@@ -219,7 +219,7 @@ def check_files(job):
     """the files, read again, hold what was written"""
     require_equal_tables(job.args.output, job.tables)
     require(one_point(job) == table_of(CSVReader(FileName=[path_in(job.args.output, "one_point.csv")])), "one_point.csv reads differently")
-    reader = vtkXMLImageDataReader()  # not of several ranks, of which Fetch would bring one slab
+    reader = vtkXMLImageDataReader()  # not on several ranks, of which Fetch would bring one slab
     reader.SetFileName(path_in(job.args.output, "map.vti"))
     reader.Update()
     require_equal_images(job.fetch_map(), reader.GetOutput(), "map.vti")

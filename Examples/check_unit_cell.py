@@ -37,7 +37,7 @@ def phases_of(job):
 
 def check_sum_rules(job, table, suffix, fractions, overlap_percent):
     phases = phases_of(job)
-    at_zero = 1e-12 + 2.0 * overlap_percent / 100.0  # an overlap counts for both orders of its two spheres
+    at_zero = 1e-12 + 2.0 * overlap_percent / 100.0  # an overlap counts in both orders of its two spheres
     for r, c_r in zip(phases, fractions):
         own = [table[pair(phases, r, s) + suffix] for s in phases]
         for k, values in enumerate(zip(*own)):

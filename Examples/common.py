@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-FETCHED = {}  # outputs on this rank, by filter and port
+FETCHED = {}  # the outputs on this rank, by filter and port
 TABLES = {}  # the same as Python values
 
 
@@ -38,7 +38,7 @@ def run(main, *arguments):
 
 
 def make_parser(program, documentation, division="Equal Width"):
-    """With the options of the pack and its modes; `division` is what the modes have in common by default."""
+    """A parser with the options of the pack and its modes; `division` is what the modes have in common by default."""
     parser = argparse.ArgumentParser(prog="pvbatch " + program, description=documentation.split("\n")[0],
                                      formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     pack = parser.add_argument_group("pack")
@@ -54,7 +54,7 @@ def make_parser(program, documentation, division="Equal Width"):
 
 
 def parse_arguments(program, documentation, output, **options):
-    """Those of make_parser, options given as name=(default, help), --output with its default and --check."""
+    """Reads the options of make_parser, options given as name=(default, help), --output with its default and --check."""
     parser = make_parser(program, documentation)
     for name, (default, text) in options.items():
         parser.add_argument("--" + name.replace("_", "-"), type=type(default), default=default, help=text)
@@ -68,12 +68,12 @@ def add_output(parser, output):
 
 
 def read_pack(args):
-    """The pack of these options, with the box in which its centres were observed."""
+    """Reads the pack of these options, with the box in which its centres were observed."""
     return SpherePackReader(FileName=os.path.abspath(args.input), LengthUnit=args.unit, BoxOrigin=args.origin, BoxSize=args.box)
 
 
 def sort_spheres(pack, args):
-    """The pack's spheres in the modes of these options."""
+    """Sorts the pack's spheres into the modes of these options."""
     if args.edges:
         return ParticleModes(Input=pack, Method="Explicit Edges", Edges=args.edges)
     return ParticleModes(Input=pack, Method=args.division, NumberOfModes=args.modes)
@@ -172,7 +172,7 @@ def path_in(folder, name):
 
 
 def write_points(folder, files):
-    """Packs of {file: (filter, output)}."""
+    """Writes the packs of {file: (filter, output)}."""
     for name, (source, port) in files.items():
         write_data(vtkXMLPolyDataWriter(), fetch(source, port), path_in(folder, name))
 
@@ -184,7 +184,7 @@ def write_image(folder, name, image):
 
 
 def write_data(writer, data, path):
-    """As XML with inline binary data, which ParaView 5.11 reads everywhere; its default, appended data, fails with newer expat libraries."""
+    """Writes XML with inline binary data, which ParaView 5.11 reads everywhere; its default, appended data, fails with newer expat libraries."""
     os.makedirs(os.path.dirname(path), exist_ok=True)
     writer.SetDataModeToBinary()
     writer.SetInputData(data)
@@ -194,7 +194,7 @@ def write_data(writer, data, path):
 
 
 def write_tables(folder, files):
-    """Tables of {file: (filter, output)} as CSV with all digits, in the order of their columns, which ParaView's own writer sorts."""
+    """Writes the tables of {file: (filter, output)} as CSV with all digits, in the order of their columns, which ParaView's own writer sorts."""
     for name, (source, port) in files.items():
         write_table(folder, name, columns(fetch(source, port)))
 

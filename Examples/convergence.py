@@ -5,9 +5,9 @@
     pvbatch convergence.py --output results
     xvfb-run -a -s "-screen 0 1400x1000x24 -noreset" pvbatch convergence.py --output results --pictures
 
-A periodic pack with the sizes of the bead block is sampled by ever more lines and throws. There the exact pair sum has no error at
-all, so that the true error is known beside the standard error that the filter states. --check ends with an error where errors do not
-fall as they should. Pictures are drawn on one rank, and need a display.
+A periodic pack with the sizes of the bead block is sampled by ever more lines and throws. The exact pair sum of such a pack has no error at
+all, so that the true error is known beside the standard error that the filter states. --check ends with an error where errors do not fall as
+they should. Pictures are drawn on one rank, and need a display.
 """
 import argparse
 import csv
@@ -164,10 +164,10 @@ def write_tables(args, samples, lags):
 
 def check_all(samples, target, lags):
     for method, table in samples.items():
-        # Of S_mm, whose phase every line and throw meets. The sum over all pairs does not fall so fast at first: phases so rare that few
-        # throws meet them have small errors then, both standard and true, and come in with the number of throws. Within 4 standard
-        # errors of the fit, of 4 or 5 degrees of freedom, and a hundredth: 10 throws are 10 batches, whose error is biased by some percent
-        # The lines of chords come in 64 grids, which cover the pack the more evenly the denser they are: their error falls at least so fast.
+        # This looks at S_mm, whose phase every line and throw meets. The sum over all pairs does not fall so fast at first: phases so rare that
+        # few throws meet them have small errors then, both standard and true, and come in with the number of throws. The limit is 4 standard
+        # errors of the fit, of 4 or 5 degrees of freedom, and a hundredth: 10 throws are 10 batches, whose error is biased by some percent. The
+        # lines of chords come in 64 grids, which cover the pack the more evenly the denser they are: their error falls at least so fast.
         for name in ("MatrixError",) if method == TEMPLATE else ("MatrixError", "StandardError", "TrueError"):
             slope, error = fit(table["Samples"], table[name])
             slack = 4.0 * error + 0.01
@@ -176,7 +176,7 @@ def check_all(samples, target, lags):
         for number, standard, true, *_ in zip(*table.values()):
             # The true error is one draw, but of the sum of a hundred norms, which go together only in part
             require(0.5 < true / standard < 2.0, f"{method}, {number}: standard error {standard}, true error {true}")
-    require(target["Reached"] <= target["Target"], f"the error aimed at is not reached: {target}")  # what TargetError promises
+    require(target["Reached"] <= target["Target"], f"the error aimed at is not reached: {target}")  # TargetError promises this
     # An error of linear interpolation falls with the square of the step: a factor of 4. The slope at 0, by differences of second order,
     # would too, were it not for spheres just not in contact: gaps of all sizes down to 0 make S_mm behave as r^2 log r, and the error
     # fall with the step itself: a factor of 2, once the steps are finer than most gaps
@@ -196,13 +196,13 @@ def powers(values):
 
 
 def draw(args, samples, lags):
-    from statistics_pictures import Charts  # only here, since drawing is not wanted elsewhere
+    from statistics_pictures import Charts  # imported only here, as nothing else draws
 
     charts = Charts(args.output)
     series, all_seconds, all_errors = [], [], []
     for method, colour in ((TEMPLATE, "#bb3344"), (CHORDS, "#0077bb")):
         table, label = samples[method], f"{method.split()[0].lower()}"
-        # Time without what a filter takes before its first sample
+        # The time without what a filter takes before its first sample
         seconds = [number * seconds_a_sample(table) for number in table["Samples"]]
         line = [root_law(table) / math.sqrt(number) for number in table["Samples"]]
         series += [(f"{label}: standard error", seconds, table["StandardError"], colour, 0, 1, 4),

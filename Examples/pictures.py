@@ -4,7 +4,7 @@
 
     xvfb-run -a -s "-screen 0 1400x1000x24 -noreset" pvbatch pictures.py --input results --output Pictures
 
-One rank: the charts are of tables that this process alone has.
+It runs on one rank, as the charts are of tables that this process alone has.
 """
 import argparse
 import csv
@@ -100,7 +100,7 @@ class Pictures:
         return view
 
     def colour_by_mode(self, display, view):
-        """Each mode in its colour, with a legend of the diameters."""
+        """Shows each mode in its colour, with a legend of the diameters."""
         ColorBy(display, ("POINTS", "Mode"))
         table = GetColorTransferFunction("Mode")
         table.InterpretValuesAsCategories = 1
@@ -124,7 +124,7 @@ class Pictures:
         bar.ScalarBarThickness, bar.DrawTickMarks, bar.DrawTickLabels = 26, 0, 0
 
     def look(self, view, data):
-        """Sees the whole of the data from above a corner, left of the legend."""
+        """Places the camera so that it sees the whole data from above a corner, left of the legend."""
         x0, x1, y0, y1, z0, z1 = data.GetDataInformation().GetBounds()
         radius = math.dist((x0, y0, z0), (x1, y1, z1)) / 2
         focus = [(x0 + x1) / 2 + 0.20 * radius, (y0 + y1) / 2 - 0.11 * radius, (z0 + z1) / 2 - 0.02 * radius]

@@ -6,9 +6,8 @@
     xvfb-run -a -s "-screen 0 1400x1000x24 -noreset" pvbatch smallest_cell.py --output smallest_cell --pictures
 
 For every size some cells with different seeds are reconstructed by Gradient with the same number of iterations, over the same lags.
-Sizes at which a mode would have no sphere are left out. Time is that of
-the processor, of the first rank. --check ends with an error where the figures do not fall as they should, or
-files read differently. Pictures are drawn on one rank, and need a display.
+Sizes at which a mode would have no sphere are left out. Time is processor time of the first rank. --check ends with an error if the figures
+do not fall as they should, or files read differently. Pictures are drawn on one rank, and need a display.
 """
 import csv
 import math
@@ -40,7 +39,7 @@ def parse_arguments():
 
 
 def missing_modes(numbers, size):
-    """Modes without a sphere in a cell of this size: the volume is the least whose rounded numbers add up to it, as the filter has it."""
+    """The modes without a sphere in a cell of this size: the volume is the least whose rounded numbers add up to it, as the filter has it."""
     low, high = 0.0, 2.0 * (size + len(numbers)) / sum(numbers)
     rounded = lambda volume: [math.floor(number * volume + 0.5) for number in numbers]
     for _ in range(100):
@@ -50,7 +49,7 @@ def missing_modes(numbers, size):
 
 
 def study(args):
-    """{column: list of numbers}, a row a size."""
+    """{column: list of numbers}, with a row for each size."""
     modes = sort_spheres(read_pack(args), args)
     numbers = columns(fetch(modes, 1))["Count"]
     table = {name: [] for name in ("Spheres", "Edge", "ObjectiveMinimum", "ObjectiveMean", "ObjectiveMaximum", "LargestFractionPercent",
@@ -105,7 +104,7 @@ def check_all(args, table):
 
 
 def draw(args, table):
-    from statistics_pictures import Charts  # only here, since drawing is not wanted elsewhere
+    from statistics_pictures import Charts  # imported only here, as nothing else draws
 
     charts, sizes = Charts(args.output), table["Spheres"]
 

@@ -15,7 +15,7 @@ from paraview.simple import *
 from common import run
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-DATA = os.path.join("Data", "bead_block.csv")  # as the states name it: below the folder of this script
+DATA = os.path.join("Data", "bead_block.csv")  # the states name the file so, below the folder of this script
 
 
 def read_pack():
@@ -25,7 +25,7 @@ def read_pack():
 
 
 def show_colors(display, array, title):
-    """The colour bar below the picture."""
+    """Puts the colour bar below the picture."""
     view, colors = GetActiveView(), GetColorTransferFunction(array)
     display.SetScalarBarVisibility(view, True)
     bar = GetScalarBar(colors, view)
@@ -33,7 +33,7 @@ def show_colors(display, array, title):
 
 
 def show_in_space(output, *others):
-    """Spheres coloured by mode, seen at an angle."""
+    """Shows spheres coloured by mode, seen at an angle."""
     view = CreateView("RenderView", OrientationAxesVisibility=0)
     display = Show(output, view)
     show_colors(display, "Mode", "Mode")

@@ -4,7 +4,7 @@
 
     xvfb-run -a -s "-screen 0 1400x1000x24 -noreset" pvbatch statistics_pictures.py --input results --output Pictures
 
-One rank. The figures of the paper that they correspond to are 6(a), 6(b) and 7(b).
+It runs on one rank. The figures of the paper that they correspond to are 6(a), 6(b) and 7(b).
 """
 import argparse
 import math
@@ -63,7 +63,7 @@ class StatisticsPictures(Charts):
         return {column: [float(value) for value in values] for column, values in read_table(self.file(name)).items()}
 
     def pairs(self):
-        """Of the matrix and the modes of largest volume."""
+        """The pairs of the matrix and of the modes of largest volume."""
         a, b = self.large[0], self.large[-1]
         return list(dict.fromkeys([("m", "m"), (b, "m"), (b, b), (a, b)]))
 
@@ -77,7 +77,7 @@ class StatisticsPictures(Charts):
         # Finer than the lag vectors, which the surface would show as steps
         fine = ResampleToImage(Input=self.map, UseInputBounds=0, SamplingBounds=[-1.02 * reach, 1.02 * reach] * 3,
                                SamplingDimensions=[121] * 3)
-        # Negative inside; the eighth towards the eye is open
+        # The function is negative inside; the eighth towards the eye is open
         solid = Calculator(Input=fine, ResultArrayName="Solid",
                            Function=f"max(mag(coords) - {reach}, min(min(coordsX, -coordsY), coordsZ))")
         ball = Contour(Input=solid, ContourBy=["POINTS", "Solid"], Isosurfaces=[0.0], ComputeScalars=0, ComputeNormals=0)

@@ -27,7 +27,7 @@ from common import (add_output, check_all, close, fetch, field, make_parser, min
                     write_tables)
 
 MEDIA = ("pack", "cell")
-PLACES = {"r1 axis": (1, 0), "r2 axis": (0, 1), "diagonal": (1, 1)}  # of the limits: steps of r1 and r2
+PLACES = {"r1 axis": (1, 0), "r2 axis": (0, 1), "diagonal": (1, 1)}  # the steps of r1 and r2 in the limits
 
 
 def parse_arguments():
@@ -87,7 +87,7 @@ class Job:
         return list(memoryview(self.image(name).GetPointData().GetArray(array)))
 
     def place(self, k1, k2, t):
-        """Of a point in the values of an image."""
+        """The place of a point in the values of an image."""
         return k1 + (self.args.lags + 1) * (k2 + (self.args.lags + 1) * t)
 
     def triples(self):
@@ -190,7 +190,7 @@ def check_coincident_points(job):
         values, errors = job.values(name, triple), job.values(name, triple + "_error")
         _, r, s, q = triple.split("_")
         what = f"{triple} of the {name}"
-        # By counting, so exactly 0
+        # These are counts, so exactly 0
         require(q == r or all(values[job.place(k, 0, t)] == 0.0 for k in lags for t in angles), f"{what} is not 0 where r2 = 0")
         require(s == r or all(values[job.place(0, k, t)] == 0.0 for k in lags for t in angles), f"{what} is not 0 where r1 = 0")
         require(s == q or all(values[job.place(k, k, 0)] == 0.0 for k in lags), f"{what} is not 0 where r1 = r2 and theta = 0")
@@ -198,7 +198,7 @@ def check_coincident_points(job):
             at_zero = [values[job.place(0, 0, t)] for t in angles]
             require(all(close(value, at_zero[0], 1e-12) for value in at_zero), f"{what} changes with the angle where r1 = r2 = 0")
             # The spheres are counted in the whole window, the throws lie within a margin of it: 8 octants tell how much parts of the pack
-            # differ (see pack_statistics.py); 5 standard errors
+            # differ (see pack_statistics.py); the limit is 5 standard errors
             i = phases.index(r)
             part = standard_error([octant[i] for octant in octants]) if name == "pack" else 0.0
             c = fractions(job, name)[r]
@@ -228,8 +228,8 @@ def check_limits(job):
             difference = norm([a - b for a, b in zip(limits[column], limit)])
             require(close(checks["Difference"][row], difference, 1e-12), f"{column} of the {name}: difference is not {difference}")
             require(close(checks["StandardError"][row], norm(limits[column + "_error"]), 1e-12), f"{column}: wrong standard error")
-            # The norm of the standard errors is that of a difference, root mean square; lags go together, so that the norm scatters as
-            # a single number does: 5. For parts of the pack see check_coincident_points
+            # The norm of the standard errors is that of a difference, root mean square; lags go together, so that the norm scatters as a single
+            # number does; the limit is 5 of them. For parts of the pack see check_coincident_points
             end = len(lags)
             scatter = [0.0] * end
             if name == "pack" and both:
@@ -238,7 +238,7 @@ def check_limits(job):
             bound = 5.0 * norm([math.hypot(a, b) for a, b in zip(scatter, limits[column + "_error"])])
             difference = norm([a - b for a, b in zip(limits[column][:end], limit)])
             require(difference <= bound, f"{column} of the {name} differs by {difference}, bound {bound}")
-        # Far apart, in opposite directions
+        # The points are far apart, in opposite directions
         c = fractions(job, name)
         row = [*zip(checks["Triple"], checks["Place"])].index((triple, "far apart"))
         last = job.place(lags[-1], lags[-1], job.args.directions // 2)
@@ -395,7 +395,7 @@ def check_files(job):
     """the files, read again, hold what was written"""
     require_equal_tables(job.args.output, job.tables())
     for name in (*MEDIA, "difference"):
-        reader = vtkXMLImageDataReader()  # not of several ranks, of which Fetch would bring one slab
+        reader = vtkXMLImageDataReader()  # not on several ranks, of which Fetch would bring one slab
         reader.SetFileName(path_in(job.args.output, f"three_point_{name}.vti"))
         reader.Update()
         require_equal_images(job.image(name), reader.GetOutput(), name)

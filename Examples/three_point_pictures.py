@@ -4,7 +4,7 @@
 
     xvfb-run -a -s "-screen 0 1400x1000x24 -noreset" pvbatch three_point_pictures.py --input results --output Pictures
 
-One rank. The figures of the paper that they correspond to are 9, 10 and 14 to 17.
+It runs on one rank. The figures of the paper that they correspond to are 9, 10 and 14 to 17.
 """
 import argparse
 import math
@@ -25,8 +25,8 @@ from pictures import BLACK, SIZE, read_table, ticks, to_palette
 from statistics_pictures import COLOURS, Charts
 
 SIZE[:] = [1400, 560]
-ANGLES = [0.0, 72.0, 180.0]  # theta of the maps, in degrees
-LEFT, BOTTOM, EDGE, PITCH = 80, 85, 345, 1.215  # of the maps: pixels, and from one to the next in edges
+ANGLES = [0.0, 72.0, 180.0]  # the angles theta of the maps, in degrees
+LEFT, BOTTOM, EDGE, PITCH = 80, 85, 345, 1.215  # the maps' place and edge in pixels, and the way from one to the next in edges
 PALE = "#e6b3ba"
 
 
@@ -79,20 +79,20 @@ class ThreePointPictures(Charts):
         self.save(view, file)
 
     def typical_error(self, medium, triple):
-        """Root mean square over r1, r2 and theta."""
+        """The root mean square over r1, r2 and theta."""
         image = Fetch(self.images[medium])
         errors = memoryview(image.GetPointData().GetArray(triple + "_error"))
         return math.sqrt(sum(error * error for error in errors) / len(errors))
 
     def look_down(self, view, reach):
-        """So that the first map has its corner at the pixels (LEFT, BOTTOM)."""
+        """Places the camera so that the first map has its corner at the pixels (LEFT, BOTTOM)."""
         pixel = reach / EDGE
         focus = [(0.5 * SIZE[0] - LEFT) * pixel, (0.5 * SIZE[1] - BOTTOM) * pixel, 0.0]
         view.CameraParallelProjection, view.CameraParallelScale = 1, 0.5 * SIZE[1] * pixel
         view.CameraViewUp, view.CameraFocalPoint, view.CameraPosition = [0, 1, 0], focus, [*focus[:2], 10.0 * reach]
 
     def axes(self, view, reach, angles):
-        """Frames with ticks, numbers and titles."""
+        """Draws frames with ticks, numbers and titles."""
         labels = ticks(reach)
         labels = [label for label in (labels[::2] if len(labels) > 6 else labels) if label <= reach * (1.0 + 1e-9)]
         points, lines = vtkPoints(), vtkCellArray()
@@ -124,7 +124,7 @@ class ThreePointPictures(Charts):
         display.Ambient, display.Diffuse = 1.0, 0.0
 
     def text(self, view, text, x, y, size):
-        """With its lower left corner at a pixel."""
+        """Places a text with its lower left corner at a pixel."""
         display = Show(Text(Text=text), view, "TextSourceRepresentation")
         display.Color, display.FontSize, display.WindowLocation = BLACK, size, "Any Location"
         display.Position = [x / SIZE[0], y / SIZE[1]]
@@ -186,7 +186,7 @@ class ThreePointPictures(Charts):
 
 
 def width(text, size):
-    """Of a text in pixels, about."""
+    """About the width of a text in pixels."""
     return 0.52 * size * len(text)
 
 

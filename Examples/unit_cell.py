@@ -50,7 +50,7 @@ def main(args):
     print_summary(args, modes, one_point, cell)
     print(f"time     {time.time() - start:.1f} s for the cell")
 
-    # Of each file the filter and its output
+    # For each file the filter and its output
     points = {"pack.vtp": (modes, 0), "cell.vtp": (cell, 0), "replicas.vtp": (replicas, 0), "outline.vtp": (replicas, 1),
               "surfaces.vtp": (replicas, 2)}
     tables = {"modes.csv": (modes, 1), "one_point.csv": (one_point, 0), "two_point_pack.csv": (two_point, 0),

@@ -18,7 +18,7 @@ import traceback
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 
-CHUNK = 8  # centres, in CellObjective.cxx: ChunkOfCentres
+CHUNK = 8  # the number of centres, ChunkOfCentres in CellObjective.cxx
 # What is counted, as columns of the table
 ONE_CELL, CLASSES, CELLS, FIRST, CHILDREN = "GradientOneCell", "GradientPairClasses", "GradientCells", "PopulationFirst", "PopulationGeneration"
 
@@ -67,7 +67,7 @@ def efficiency(shares):
 
 
 def study(args):
-    """{column: list of numbers}, a row a number of ranks."""
+    """{column: list of numbers}, with a row for each number of ranks."""
     chunks, classes = chunks_of(args.particles), args.modes * (args.modes + 1) // 2
     shares = {ONE_CELL: lambda ranks: deal(chunks, ranks), CLASSES: lambda ranks: deal([1] * classes, ranks),
               CELLS: lambda ranks: share_cells(chunks, args.cells, ranks), FIRST: lambda ranks: deal([1] * args.population, ranks),
@@ -94,7 +94,7 @@ def print_table(args, table):
 
 
 def check_all(args, table):
-    """By hand: where units are divided without rest the efficiency is 1, and beyond their number it is number / ranks."""
+    """Compares with what is found by hand: where units are divided without rest the efficiency is 1, and beyond their number it is number / ranks."""
     at = {ranks: {name: values[i] for name, values in table.items()} for i, ranks in enumerate(table["Ranks"])}
     def require(condition, reason):
         if not condition:
@@ -120,7 +120,7 @@ def write_table(args, table):
 
 
 def draw(args, table):
-    from common import stop_on_error  # only here, since ParaView is not wanted elsewhere
+    from common import stop_on_error  # imported only here, as nothing else needs ParaView
     from statistics_pictures import Charts
 
     stop_on_error()
