@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Times the loops that everything else waits for, on the example pack: the pair loop of the exact
- * sum (with its time a pair), the objective of a cell of 1082 spheres and its gradient, throws for
- * three-point probabilities (with the time of a throw, and that of the plain template, which counts
- * the same and so has the same error). One thread unless OMP_NUM_THREADS says otherwise.
+ * sum (with its time for each pair); the objective of a cell of 1082 spheres and its gradient; and
+ * throws for three-point probabilities (with the time of a throw, and that of the plain template,
+ * which counts the same and so has the same error). It runs on one thread unless OMP_NUM_THREADS
+ * says otherwise.
  */
 #include "ruc/Base/Random.h"
 #include "ruc/Formats/SpherePackText.h"
@@ -48,7 +49,7 @@ ruc::SpherePack ReadPack()
   return pack;
 }
 
-// Pairs closer than the cut-off of the sum
+// The number of pairs closer than the cut-off of the sum
 double CountedPairs(const ruc::SpherePack& pack)
 {
   const ruc::CellList cells(pack, Block, Lags.Maximum() + 2.0 * pack.LargestRadius());
@@ -110,8 +111,8 @@ BENCHMARK(Objective)->ArgName("gradient")->Arg(0)->Arg(1)->Unit(benchmark::kMill
 
 const ruc::ThreePointGrid Grid = { Lags, 20 };
 
-// The phase of every point of a throw is looked up, then all pairs of points on all pairs of rays
-// are gone through; returns the seconds a throw
+// Looks up the phase of every point of a throw, then goes through all pairs of points on all pairs
+// of rays; returns the seconds of a throw
 double TimePlainTemplate(const ruc::SpherePack& pack, const ruc::SamplingRegion& region,
   const std::vector<ruc::PhaseTriple>& triples, int throws)
 {

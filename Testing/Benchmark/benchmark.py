@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times the main job on the example pack as a user runs it; started by Testing/Benchmark/run. Prints one line a figure."""
+"""Times the main job on the example pack as a user runs it; started by Testing/Benchmark/run. Prints one line for each figure."""
 import os
 import resource
 import statistics
@@ -115,7 +115,7 @@ report('their (16), largest of the modes, and (17) of their mean, %', '%.4f  %.4
 
 
 def estimate_job(what, filter, **settings):
-    """EstimatedTime over what the run then took, and EstimatedMemory."""
+    """EstimatedTime divided by the time that the run then took, and EstimatedMemory."""
     source = filter(Input=modes, MaximumLag=200, **settings)
     source.UpdateVTKObjects()
     source.SMProxy.UpdatePropertyInformation()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Time and memory of the exact sum against the number of spheres; started by Testing/Benchmark/run --scale.
 
-The pack is a periodic cell of 10 000 spheres of five sizes at a fraction of 0.55, tiled; lags to five mean diameters, K = 200.
+The pack is a periodic cell of 10 000 spheres of five sizes at a fraction of 0.55, tiled; the lags go to five mean diameters in K = 200 steps.
 """
 import math
 import os
@@ -26,7 +26,7 @@ def peak_megabytes():
             with open('/proc/%s/status' % process) as file:
                 peaks += [int(line.split()[1]) // 1024 for line in file if ours and line.startswith('VmHWM')]
         except OSError:
-            pass  # it has ended
+            pass  # the rank has ended
     return peaks
 
 

@@ -6,9 +6,9 @@ from paraview.servermanager import Fetch
 
 
 def rows_of(data):
-    """A table or a point set, a line a row."""
+    """A table or a point set, with a line for each row."""
     if data.IsA("vtkMultiBlockDataSet"):
-        blocks = [data.GetBlock(n) for n in range(data.GetNumberOfBlocks())]  # empty where another rank has the cell
+        blocks = [data.GetBlock(n) for n in range(data.GetNumberOfBlocks())]  # it is empty if another rank has the cell
         return [row for block in blocks if block for row in rows_of(block)]
     attributes = data.GetRowData() if data.IsA("vtkTable") else data.GetPointData()
     arrays = sorted((attributes.GetAbstractArray(n) for n in range(attributes.GetNumberOfArrays())), key=lambda array: array.GetName())

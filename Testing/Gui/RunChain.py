@@ -41,7 +41,7 @@ for name, (source, ports) in OUTPUTS.items():
     for port in ports:
         info = source.GetDataInformation(port)
         if info.GetDataSetTypeAsString() == "vtkTable":
-            data = Fetch(source, 0, idx=port)  # rank 0's part, which must be all of it
+            data = Fetch(source, 0, idx=port)  # the part of rank 0, which must be the whole
             assert info.GetNumberOfRows() == data.GetNumberOfRows() > 0, (name, port)
             arrays = [data.GetColumn(i) for i in range(data.GetNumberOfColumns())]
             count = data.GetNumberOfRows()
@@ -49,12 +49,12 @@ for name, (source, ports) in OUTPUTS.items():
             data = Fetch(source, idx=port)
             attributes = data.GetPointData()
             arrays = [attributes.GetArray(i) for i in range(attributes.GetNumberOfArrays())]
-            arrays = [data.GetPoints().GetData()] + sorted(arrays, key=lambda a: a.GetName())  # gathering leaves them in any order
+            arrays = [data.GetPoints().GetData()] + sorted(arrays, key=lambda a: a.GetName())  # they are gathered in any order
             count = data.GetNumberOfPoints()
         rows = [" ".join(a.GetValue(i) if a.IsA("vtkStringArray") else " ".join(map(float.hex, map(float, a.GetTuple(i)))) for a in arrays)
                 for i in range(count)]
         if name == "replicas":
-            rows.sort()  # spread over the ranks, so in another order
+            rows.sort()  # they are spread over the ranks, so their order differs
         lines += [f"{name} {port}: " + " ".join(a.GetName() for a in arrays)] + rows
 with open(numbers, "w") as file:
     file.write("\n".join(lines) + "\n")
@@ -66,5 +66,5 @@ pv.Show(servermanager.OutputPort(replicas, 1), view)
 view.ResetCamera()
 pv.SaveScreenshot(picture, view, ImageResolution=view.ViewSize)
 print("remote rendering:", view.GetClientSideObject().GetUseDistributedRenderingForRender())
-pv.Delete(view)  # left to the end of Python the window outlives its GL context: GLXBadContext
+pv.Delete(view)  # otherwise the window would outlive its GL context and end with GLXBadContext
 del view, display

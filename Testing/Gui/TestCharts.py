@@ -32,7 +32,7 @@ comparison = pv.CompareProbabilities(Input=two_point, Cell=of_cell)
 BOTTOM, LEFT = 1, 0  # vtkAxis
 LAG = "Lag r (µm)"
 BOTH = ["S_m_m_cell", "S_m_m_pack"]
-# Output: the column at the bottom, what is drawn, the titles at the bottom, on the left, on the right
+# For each output the column at the bottom, what is drawn, and the titles at the bottom, on the left and on the right
 CHARTS = {
     (modes, 1): ("Mode", ["VolumeFraction"], "Mode", "Volume fraction", ""),
     (two_point, 0): ("r", ["S_m_m"], LAG, "Probability S_rs", ""),
@@ -102,7 +102,7 @@ view = pv.CreateView("XYChartView", ViewSize=[400, 300])
 display = pv.Show(plain_probabilities, view)
 check("title without unit", view.BottomAxisTitle, "Lag r")
 
-# What a user writes and ticks stays, when the filter runs again and when another table comes into the view
+# What a user writes and ticks stays when the filter runs again and when another table comes into the view
 view.LeftAxisTitle, view.BottomAxisTitle = "Mine", ""
 display.SeriesVisibility = ["S_1_1", "1", "S_m_m", "0"]
 plain_modes.NumberOfModes = 3
@@ -115,7 +115,7 @@ pv.Render(view)
 check("the titles with a second table", (view.LeftAxisTitle, view.BottomAxisTitle, view.LeftAxisLogScale), ("Mine", "", 0))
 pv.Delete(view)
 
-# Images over lags: the middle slice, seen from above, with titled axes
+# Images over lags show their middle slice, seen from above, with titled axes
 for source, port, titles, slice_number in ((three_point, 0, ["r1 (µm)", "r2 (µm)", "theta (degrees)"], 5),
                                            (of_pairs, 0, ["x (µm)", "y (µm)", "z (µm)"], 3)):
     view = pv.CreateView("RenderView", ViewSize=[400, 300])

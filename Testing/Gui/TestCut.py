@@ -46,8 +46,8 @@ without = picture("without")
 assert opened == cut
 spheres.ShowCutSpheres = 1
 assert picture("alone") == without
-# The facets of the surfaces, of the volume of the spheres, look out of them here and there
+# The facets of the surfaces have the volume of the spheres, and look out of them here and there
 assert sum(map(operator.ne, whole, without)) < 0.5 * sum(map(operator.ne, cut, without))
 assert len({cut, whole, outline}) == 3
-Delete(view)  # left to the end of Python the window outlives its GL context: GLXBadContext
+Delete(view)  # otherwise the window would outlive its GL context and end with GLXBadContext
 del view, spheres, surfaces

@@ -40,13 +40,13 @@ assert 0 < number("Iterations") < cell.MaximumIterations
 assert 0.0 < number("Objective") < number("StartObjective")
 assert number("OverlapPercent") == 0.0
 
-# Overlap once more, by the definition: no two centres closer than the sum of the radii, images included
+# Overlap once more, by its definition: no two centres are closer than the sum of the radii, images included
 assert data.GetNumberOfPoints() == PARTICLES
 box = [fields.GetArray("BoxSize").GetValue(axis) for axis in range(3)]
 edge = box[0]
 spheres = sorted((data.GetPoint(i), data.GetPointData().GetArray("Radius").GetValue(i)) for i in range(PARTICLES))
 largest = max(radius for _, radius in spheres)
-assert box == [edge] * 3 and edge > 4.0 * largest  # so the nearest image is the only one to look at
+assert box == [edge] * 3 and edge > 4.0 * largest  # so only the nearest image has to be looked at
 for i, (p, radius) in enumerate(spheres):
     for q, other in spheres[:i]:
         d = [abs(a - b) for a, b in zip(p, q)]

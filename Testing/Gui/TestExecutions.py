@@ -26,7 +26,7 @@ filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, ra
 
 runs = {}
 for source in filters:
-    algorithm = source.GetClientSideObject()  # of rank 0; an execution is collective
+    algorithm = source.GetClientSideObject()  # the filter of rank 0 suffices, as an execution is collective
     runs[source] = 0
 
     def count(*_, source=source):
@@ -88,4 +88,4 @@ pv.Delete(render)
 
 print("\n".join(failures) or "each ran once")
 if failures:
-    sys.exit(1)  # not with 0, which would take this rank away from the others
+    sys.exit(1)  # an exit code of 0 would take this rank away from the others

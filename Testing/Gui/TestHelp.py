@@ -12,7 +12,7 @@ import sys
 import zlib
 
 PLUGIN, FILE = sys.argv[1:3]
-# Of each proxy a formula that only its page has, as a user reads it
+# For each proxy a formula that only its page has, as a user reads it
 FORMULAS = {
     'filters.OnePointProbability': 'c_r = (1 / V) Σ (4 π / 3) a_i³',
     'filters.TwoPointProbability': 'S_rs(r) = (δ_rs / V) Σ V_ii(r) + Σ g(r, d_ij) / γ(d_ij)',
@@ -45,7 +45,7 @@ assert encoded[:200] in library and encoded[-200:] in library, 'no help in the p
 database = sqlite3.connect(FILE)
 pages = {}
 for name, data in database.execute('select Name, Data from FileNameTable join FileDataTable on FileId = Id where Data is not null'):
-    pages[name] = zlib.decompress(data[4:]).decode('utf-8')  # after the length, as qCompress writes it
+    pages[name] = zlib.decompress(data[4:]).decode('utf-8')  # qCompress writes the length before it
 print(len(pages), 'pages')
 
 failures = []

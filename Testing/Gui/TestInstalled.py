@@ -26,4 +26,4 @@ if PORT and found:
     probability.UpdatePipeline()
     say('rows %d' % simple.servermanager.Fetch(probability, idx=0).GetNumberOfRows())
 if not PORT:
-    os._exit(0)  # the window would stay
+    os._exit(0)  # otherwise the window would stay

@@ -28,7 +28,7 @@ view = CreateView("RenderView", ViewSize=[width, height], OrientationAxesVisibil
 
 
 def picture(what):
-    """The pixels' colours, rows from below."""
+    """The colours of the pixels, with the rows from below."""
     path = f"{name}_{what}.png"
     SaveScreenshot(path, view, ImageResolution=view.ViewSize)
     return pixels_of(path)
@@ -44,7 +44,7 @@ def pixels_of(path):
 
 
 def pack(what, spheres, box=(20.0, 15.0, 15.0)):
-    """A pack of [x, y, z, radius], its parts in turn on the ranks."""
+    """A pack of [x, y, z, radius], whose parts are on the ranks in turn."""
     path = f"{name}_{what}.csv"
     with open(path, "w") as file:
         file.write("x,y,z,radius\n" + "".join(",".join(map(str, sphere)) + "\n" for sphere in spheres))
@@ -103,7 +103,7 @@ def check_pixels(spheres, what):
                 to_centre = subtract(centre, eye)
                 along = dot(to_centre, sight)
                 aside = math.sqrt(max(dot(to_centre, to_centre) - along**2, 0.0))
-                # A hundredth of a pixel: float coordinates and the pixel centres of the rasteriser
+                # A hundredth of a pixel, for float coordinates and the pixel centres of the rasteriser
                 on_edge = on_edge or abs(aside - radius) < 0.01 * camera.pixel * (1 if camera.parallel else along)
                 if aside < radius:
                     hits.append((along - math.sqrt(radius**2 - aside**2), i))
@@ -145,11 +145,11 @@ ResetCamera(view)
 pixels = picture("reset")
 assert {*pixels[0], *pixels[-1], *(row[0] for row in pixels), *(row[-1] for row in pixels)} == {(0, 0, 0)}
 
-# The window: along its edges the picture has its colour, white or black against the background; none where there is none.
+# Along the edges of the window the picture has its colour, white or black against the background; without a window it has none.
 
 
 def window_colours(edges, what):
-    """The colours at the edges, sampled: of the 3 x 3 pixels around each point the one farthest from the background."""
+    """Samples of the colours at the edges: of the 3 x 3 pixels around each point the one farthest from the background."""
     camera, pixels = Camera(), picture(what)
     background = pixels[0][0]
     found = []
@@ -171,7 +171,7 @@ def corner(i, box):
 BOX = (20.0, 15.0, 15.0)
 BOX_EDGES = [(corner(i, BOX), corner(i | bit, BOX)) for i in range(8) for bit in (1, 2, 4) if not i & bit]
 Hide(few, view)
-small = pack("small", [[10.0, 7.5, 7.5, 0.1]]).Input  # on the first rank alone
+small = pack("small", [[10.0, 7.5, 7.5, 0.1]]).Input  # it is on the first rank alone
 display = Show(small, view)
 view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = [10.0, 7.5, 7.5], [40.0, 30.0, 60.0], [0.0, 1.0, 0.0]
 view.CameraParallelScale = 14.0
@@ -184,7 +184,7 @@ display.ShowWindow = 1
 assert window_colours(BOX_EDGES, "again") == {(0, 0, 0)}
 Hide(small, view)
 
-# Of a pack without Mode, in a cylinder
+# The pack has no Mode and a cylinder as window
 base, axis, radius, length = [1.0, 2.0, 3.0], [2.0, 1.0, 2.0], 4.0, 9.0
 fields = {"CylinderBase": base, "CylinderAxis": axis, "CylinderRadius": [radius], "CylinderHeight": [length]}
 with open(f"{name}_cylinder.vtk", "w") as file:
@@ -246,5 +246,5 @@ modes.UpdatePipeline()
 Render(view)
 assert table.InterpretValuesAsCategories == 0
 
-Delete(view)  # left to the end of Python the window outlives its GL context: GLXBadContext
+Delete(view)  # otherwise the window would outlive its GL context and end with GLXBadContext
 del view, display

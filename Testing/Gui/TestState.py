@@ -49,7 +49,7 @@ view.ResetCamera()
 SaveScreenshot(picture, view, ImageResolution=view.ViewSize)
 error = image_difference(picture, baseline)
 print(f"difference of the pictures: {error}")
-# Left to the end of Python the window outlives its GL context: GLXBadContext
+# Otherwise the window would outlive its GL context and end with GLXBadContext
 Delete(view)
 del view, display
 sys.exit(0 if error < 20.0 else 1)

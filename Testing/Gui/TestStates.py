@@ -48,7 +48,7 @@ elif name == "reconstruction":
     assert sorted(view.LeftAxisLogScale for view in charts) == [0, 1]
 else:
     image = Fetch(pv.FindSource("Three-point"))
-    # All three points in one place: the fraction of the matrix, to five standard errors of 10 000 throws
+    # Where all three points are in one place, it is the fraction of the matrix, to five standard errors of 10 000 throws
     fraction = 1.0 - sum(column(Fetch(modes, 0, idx=1), "VolumeFraction"))
     assert abs(image.GetPointData().GetArray("S_m_m_m").GetValue(0) - fraction) < 5.0 * (0.25 / 10000) ** 0.5
     assert titles == [("Lag r (µm)", "Probability S_rsq")], titles

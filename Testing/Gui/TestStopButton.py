@@ -9,7 +9,7 @@ import traceback
 
 from paraview.simple import *
 
-LIMIT = 60  # seconds; without Stop the search ends by this
+LIMIT = 60  # in seconds; without Stop the search ends by this
 
 
 def run():
@@ -40,7 +40,7 @@ def run():
 try:
     run()
 except BaseException:
-    os.write(2, traceback.format_exc().encode())  # not through the window, which ends here
+    os.write(2, traceback.format_exc().encode())  # this does not go through the window, which ends here
     os._exit(1)
 print("stopped as wished", flush=True)
-os._exit(0)  # a script does not end ParaView's window otherwise
+os._exit(0)  # otherwise a script does not end ParaView's window

@@ -46,7 +46,7 @@ radius = [arrays.GetArray("Radius").GetValue(i) for i in range(originals.GetNumb
 mode = [arrays.GetArray("Mode").GetValue(i) for i in range(originals.GetNumberOfPoints())]
 centre = [originals.GetPoint(i) for i in range(originals.GetNumberOfPoints())]
 
-# By piece, an original's Id and Image: the volume by the divergence theorem, and the corners and the area of each cap
+# For each piece, by its original's Id and Image: the volume by the divergence theorem, and the corners and the area of each cap
 data = surfaces.GetPointData()
 ids, images, modes = (data.GetArray(name) for name in ("Id", "Image", "Mode"))
 volume, corners, area = {}, {}, {}
@@ -70,7 +70,7 @@ for c in range(surfaces.GetNumberOfCells()):
         for q in range(3):
             for side, face in enumerate((0.0, EDGE)):
                 if all(abs(p[q] - face) <= ROUNDING for p in points):
-                    assert normal[q] * (2 * side - 1) > 0.0, (piece, q, side, normal)  # outwards
+                    assert normal[q] * (2 * side - 1) > 0.0, (piece, q, side, normal)  # the normal points outwards
                     key = piece[0], piece[1][:q] + piece[1][q + 1:], q, side
                     area[key] = area.get(key, 0.0) + abs(normal[q]) / 2
                     corners.setdefault(key, set()).update(p[:q] + p[q + 1:] for p in points)
@@ -99,14 +99,14 @@ for original, parts in pieces.items():
     r = radius[original]
     share = sum(parts) / (4 / 3 * math.pi * r**3)
     whole.setdefault(r, []).append(share)
-    # Between planes and corners it depends on how the facets lie
+    # Between planes and corners the area depends on how the facets lie
     reach = min(min(c, EDGE - c) for c in centre[original]) / (scale * r)
     assert len(parts) == 1 if reach > 1.0 else len(parts) > 1 or reach > math.cos(w), (original, len(parts), reach)
 for r, shares in whole.items():
     assert max(abs(share - 1.0) for share in shares) < 4 * math.pi * r**2 * ROUNDING / (4 / 3 * math.pi * r**3), (r, min(shares), max(shares))
-assert {len(parts) for parts in pieces.values()} >= {1, 2, 4}  # also edges of the box
+assert {len(parts) for parts in pieces.values()} >= {1, 2, 4}  # edges of the box are among them
 
-# A cap of a sphere that one face alone cuts against the segment's formula: the polygon in the circle
+# A cap of a sphere that only one face cuts agrees with the formula of the segment, and is a polygon in the circle
 caps = 0
 for (original, others, q, side), value in area.items():
     r, c = scale * radius[original], centre[original]
@@ -115,7 +115,7 @@ for (original, others, q, side), value in area.items():
         share = value / (math.pi * (r**2 - height**2))
         assert share < 1.0 + 2 * ROUNDING * r / (r**2 - height**2), (original, share)
         caps += 1
-    # The cap on the opposite face is the same, moved by the edge.
+    # The cap on the opposite face is the same, moved by the edge
     twin = original, others, q, 1 - side
     assert abs(area[twin] - value) <= 2 * math.pi * r * ROUNDING, (original, q)
     assert len(corners[twin]) == len(corners[original, others, q, side])

@@ -35,7 +35,7 @@ def is_ours(name):
 
 
 reader = pv.SpherePackReader(FileName=pack, BoxSize=[10, 10, 10], BoxPeriodic=[1, 1, 1])
-modes = pv.ParticleModes(Input=reader, NumberOfModes=1)  # a matrix of plots has few columns then
+modes = pv.ParticleModes(Input=reader, NumberOfModes=1)  # so a matrix of plots has few columns
 two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=8)
 cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags=8, MaximumIterations=5)
 of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=8)
@@ -75,4 +75,4 @@ for name in views:
 for name in ("XYHistogramChartView", "XYBarChartView", "BoxChartView", "SpreadSheetView", "ParallelCoordinatesChartView", "PlotMatrixView",
              "QuartileChartView", "XYChartView", "XYPointChartView"):
     assert shown.get(name, 0) > 10, f"{name} showed {shown.get(name, 0)} tables"
-assert two_point.GetDataInformation(0).GetNumberOfRows() == 9  # the server is there
+assert two_point.GetDataInformation(0).GetNumberOfRows() == 9  # the server still lives

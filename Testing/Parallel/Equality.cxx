@@ -27,7 +27,7 @@ void Append(std::vector<double>& numbers, vtkFieldData* fields)
   }
 }
 
-// The values of a slab at all its points are those of the whole image
+// Expects that the values of a slab at all its points are those of the whole image
 void ExpectSameSlab(vtkImageData* slab, vtkImageData* whole)
 {
   std::vector<double> got, expected;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Every filter gives the same bits whatever the number of ranks, and however the pack is spread
- * over them: each rank compares what all ranks work out together with what it works out alone.
+ * Helpers of the claim that every filter gives the same bits whatever the number of ranks, and
+ * however the pack is spread over them: each rank compares what all ranks work out together with
+ * what it works out alone.
  */
 #pragma once
 
@@ -16,32 +17,37 @@
 
 #include <string>
 
-/** All numbers of a data set but those of the array EstimatedMemory, the memory of a rank. */
+/**
+ * All numbers of a data set but those of the array EstimatedMemory, which is the memory of a rank.
+ */
 std::vector<double> Numbers(vtkDataObject* data);
 
-/** Equal bit by bit, where two values that are not a number are equal. */
+/** Whether numbers are equal bit by bit, where two values that are not numbers count as equal. */
 bool Same(const std::vector<double>& a, const std::vector<double>& b);
 
 /** Whether a data set has neither points nor rows. */
 bool IsEmpty(vtkDataObject* data);
 
 /**
- * One output on all ranks, `got`, is that of this rank alone: of an image every rank has a slab;
- * everything else is whole on rank 0 and empty on the others.
+ * Expects that one output on all ranks, `got`, is that of this rank alone. Every rank has a slab of
+ * an image; everything else is whole on rank 0 and empty on the others.
  */
 void ExpectSameOutput(vtkDataObject* got, vtkDataObject* expected);
 
-/** The points and radii of the ranks, one rank after the other, are those of this rank alone. */
+/**
+ * Expects that the points and radii of the ranks, one rank after the other, are those of this rank
+ * alone.
+ */
 void ExpectSamePieces(vtkDataObject* got, vtkDataObject* expected);
 
-/** The pack of a test: sizes of spheres, and a window that is periodic or not. */
+/** The pack of a test: with few or many sizes of spheres, in a window that is periodic or not. */
 class EveryPack : public testing::TestWithParam<std::tuple<bool, bool>>
 {
 public:
   static bool HasFewSizes() { return std::get<0>(GetParam()); }
   static bool IsPeriodic() { return std::get<1>(GetParam()); }
   static const ruc::SpherePack& Pack() { return HasFewSizes() ? FewSizes() : ManySizes(); }
-  /** All of the pack, on this rank. */
+  /** The whole pack, on this rank. */
   static vtkSmartPointer<vtkPolyData> Whole();
 };
 #define INSTANTIATE_EVERY_PACK(Suite)                                                              \
@@ -58,14 +64,15 @@ struct Spread
   const char* Name;
   std::function<bool(std::size_t)> IsMine;
 };
-/** All on the last rank; in turn; backwards, with rank 0 empty where there are others. */
+/** All spheres on the last rank; in turn; backwards, with rank 0 empty where there are others. */
 std::vector<Spread> Spreads();
 
 /**
- * A filter on the pack of the test, alone and together with the pack spread in every way.
+ * Runs a filter on the pack of the test, alone and then together with the pack spread in every way,
+ * and expects the same outputs.
  *
- * `emptyPorts` are the outputs without points and rows, all others have some; `pointPorts` those
- * that stay where their spheres are.
+ * `emptyPorts` are the outputs without points and rows; all others must have some. `pointPorts` are
+ * those that stay where their spheres are.
  */
 template <class Filter>
 void ExpectSame(const std::function<void(Filter*)>& configure,

@@ -20,8 +20,10 @@
 #include <functional>
 #include <vector>
 
-/** A random pack of 600 spheres without overlap in a periodic cube; radius and mode of the i-th as
- * given. */
+/**
+ * A random pack of 600 spheres without overlap in a periodic cube. `sizeOf` gives radius and mode
+ * of the i-th sphere.
+ */
 inline ruc::SpherePack MakePack(
   double edge, const std::function<std::pair<double, int>(int)>& sizeOf)
 {
@@ -41,7 +43,7 @@ inline ruc::SpherePack MakePack(
   return pack;
 }
 
-/** Edge of the packs below, cubes with 600 spheres. */
+/** The edge of the packs below, which are cubes with 600 spheres. */
 constexpr double Edge = 12.0;
 
 /** Three sizes of spheres, in as many modes. */
@@ -52,7 +54,7 @@ inline const ruc::SpherePack& FewSizes()
   return pack;
 }
 
-/** More distinct radii than the tables of the pair sum take, which is then made pair by pair. */
+/** More distinct radii than the tables of the pair sum take, which then goes pair by pair. */
 inline const ruc::SpherePack& ManySizes()
 {
   static const ruc::SpherePack pack =
@@ -60,7 +62,7 @@ inline const ruc::SpherePack& ManySizes()
   return pack;
 }
 
-/** Those spheres of a pack for which `keep(i)`, with its box as field data. */
+/** Those spheres of a pack for which `keep(i)` holds, with its box as field data. */
 inline vtkSmartPointer<vtkPolyData> MakePolyData(const ruc::SpherePack& pack, double edge,
   bool periodic, const std::function<bool(std::size_t)>& keep)
 {
@@ -101,8 +103,9 @@ inline vtkSmartPointer<vtkPolyData> MakePolyData(const ruc::SpherePack& pack, do
 }
 
 /**
- * A mask of 0.5-voxels around points, inside a ball that nearly fills a cube; the slab of one of
- * `ranks` ranks, the planes of points between them on both, as ParaView hands images out.
+ * A mask of voxels of edge 0.5 around points, whose inside is a ball that nearly fills a cube. It
+ * is the slab of one of `ranks` ranks; the planes of points between slabs are on both ranks, as
+ * ParaView hands images out.
  */
 inline vtkSmartPointer<vtkImageData> MakeMask(double edge, std::size_t rank, std::size_t ranks)
 {

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-/** This rank, and how many there are. */
+/** The number of this rank, and how many ranks there are. */
 inline int Rank()
 {
   return vtkMultiProcessController::GetGlobalController()->GetLocalProcessId();

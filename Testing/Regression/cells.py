@@ -39,7 +39,7 @@ def counts(data):
 
 
 def remember_all(name, source):
-    """Every output."""
+    """Every output of a reconstruction."""
     for data in [fetch(source)] + leaves(fetch(source, 3)):
         remember('%s, cell %g%s' % (name, field(data, 'Cell'), ', best' if name + ', best' not in NUMBERS else ''),
                  itertools.chain(*spheres(data)))
@@ -48,7 +48,7 @@ def remember_all(name, source):
 
 
 def overlaps(data):
-    """Whether two spheres, or images of them, do."""
+    """Whether two spheres, or images of them, overlap."""
     edge = field(data, 'BoxSize')[0]
     for a, b in itertools.combinations(spheres(data), 2):
         steps = [a[q] - b[q] - edge * round((a[q] - b[q]) / edge) for q in range(3)]
@@ -69,7 +69,7 @@ def objective(target, table, end=''):
 
 
 def make_pack():
-    """A jittered periodic lattice of spheres, two sizes."""
+    """A jittered periodic lattice of spheres of two sizes."""
     path = os.path.join(FOLDER, 'cells_%d_pack.csv' % RANKS)
     with open(path, 'w') as file:
         file.write('x,y,z,radius\n')
@@ -131,7 +131,7 @@ def several_cells():
             assert abs(rows['Cell'][i] - c[i]) < 1e-12, rows
             assert abs(rows['Percent'][i] - 100.0 * abs(rows['Pack'][i] - c[i]) / sum(rows['Pack'][:2])) < 1e-9, rows
         remember_all(method, search)
-    if RANKS == 1:  # of several ranks the cells come in a set for each
+    if RANKS == 1:  # on several ranks the cells come in a set for each rank
         blocks = fetch(search, 3)
         assert [blocks.GetMetaData(n).Get(vtkCompositeDataSet.NAME()) for n in range(3)] == ['Cell 1', 'Cell 2', 'Cell 3']
     try:
@@ -158,7 +158,7 @@ def targets_from_files():
     path = os.path.join(FOLDER, 'cells_%d_saved.csv' % RANKS)
     SaveData(path, proxy=TARGET, Precision=17, UseScientificNotation=1)
     of_file = UnitCellReconstruction(Input=CSVReader(FileName=[path]), ModeDiameters=diameters, **few)
-    # Of 17 digits: every bit of all outputs. The lags of a file are its own, whatever MaximumLag and NumberOfLags are
+    # With 17 digits every bit of all outputs is the same. The lags of a file are its own, whatever MaximumLag and NumberOfLags are
     assert spheres(fetch(of_file)) == spheres(fetch(of_table))
     for port in (1, 2, 4, 5):
         assert columns(of_file, port) == columns(of_table, port), port
@@ -173,7 +173,7 @@ def targets_from_files():
         assert abs(a[3] - b[3]) < 1e-12 and a[4] == b[4] and math.dist(a[:3], b[:3]) < 1e-4, (a, b)
     f2 = [columns(search, 4)['Objective'] for search in (of_pack, of_table)]
     assert max(abs(a / b - 1.0) for a, b in zip(*f2)) < 1e-4, f2
-    # Five digits, as ParaView writes them, and six: F2 is known to the root of the lags times the digits. These round the lags too
+    # With five digits, as ParaView writes them, and with six, F2 is known to the root of the lags times the digits. These round the lags too
     uneven = TwoPointProbability(Input=PACK, MaximumLag=2.0, NumberOfLags=23)
     of_uneven = UnitCellReconstruction(Input=uneven, ModeDiameters=diameters, **few)
     for name, source, exact, digits in (('five', uneven, of_uneven, {}), ('six', uneven, of_uneven, {'Precision': 6}),
@@ -187,7 +187,7 @@ def targets_from_files():
         # The norm of a difference is at most the root of the lags times half a unit of the last digit
         difference = columns(CompareProbabilities(Input=reader, Cell=source))['Difference']
         assert 0.0 < max(difference) < 1e-3, (name, difference)
-    # Columns in any order, and S_2_1 for S_1_2
+    # Columns may come in any order, and with S_2_1 for S_1_2
     other = {name: values for name, values in reversed(columns(TARGET).items()) if name != 'S_1_2'}
     other['S_2_1'] = columns(TARGET)['S_1_2']
     swapped = UnitCellReconstruction(Input=write_table('swapped', other), ModeDiameters=diameters, **few)
@@ -208,7 +208,7 @@ def contents():
         volumes = [n * r**3 for n, r in zip((17, 40), radii)]
         edge = (4 / 3 * math.pi * sum(v * v for v in volumes) / sum(c * v for c, v in zip(fractions, volumes)))**(1 / 3)
         assert abs(field(fetch(search), 'BoxSize')[0] / edge - 1.0) < 1e-7, (field(fetch(search), 'BoxSize'), edge)
-    # From the edge: the nearest whole numbers
+    # The edge gives the nearest whole numbers
     search = UnitCellReconstruction(Input=TARGET, ModeDiameters=diameters, CellSize=4.0, MaximumIterations=0)
     expected = [round(64.0 * c / (math.pi / 6 * d**3)) for c, d in zip(fractions, diameters)]
     assert counts(fetch(search)) == expected, (counts(fetch(search)), expected)
@@ -269,7 +269,7 @@ def refused_targets():
     diameters, table = columns(PACK, 1)['VolumeMeanDiameter'], columns(TARGET)
 
     def changed(name, **values):
-        """A file with one value changed in some columns: row and what it becomes."""
+        """A file with one value changed in some columns, given by its row and what it becomes."""
         other = {column: list(numbers) for column, numbers in table.items()}
         for column, (row, value) in values.items():
             other[column][row] = value(other[column][row])

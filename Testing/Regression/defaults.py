@@ -7,7 +7,7 @@ import sys
 from paraview import servermanager, simple
 
 XML = '''<ServerManagerConfiguration><ProxyGroup name="bare"><SourceProxy name="{0}" class="{0}"/></ProxyGroup></ServerManagerConfiguration>'''
-simple.Box()  # connects
+simple.Box()  # this connects
 session = servermanager.ActiveConnection.Session
 definitions = session.GetProxyDefinitionManager()
 proxies = servermanager.ProxyManager().SMProxyManager
@@ -17,7 +17,7 @@ def printed(group, name):
     proxy = proxies.NewProxy(group, name)
     proxy.UpdateVTKObjects()
     lines = str(proxy.GetClientSideObject()).splitlines()
-    # Not properties, or other for each object
+    # These are no properties, or differ for each object
     return [line.strip() for line in lines if line.startswith('  ') and not any(
         word in line for word in ('0x', 'Modified Time', 'Reference Count', 'Registered Events', '(none)', 'Debug'))]
 
@@ -35,7 +35,7 @@ def ours():
             iterator.GoToNextItem()
 
 
-# That a wrong default would be seen
+# A wrong default would be seen
 definitions.LoadConfigurationXMLFromString('''<ServerManagerConfiguration><ProxyGroup name="wrong"><SourceProxy name="wrong"
     class="vtkRUCUnitCellReconstruction"><IntVectorProperty name="Seed" command="SetSeed" number_of_elements="1" default_values="7"/>
     </SourceProxy></ProxyGroup></ServerManagerConfiguration>''')

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""EstimatedTime and EstimatedMemory: known before a run and without one, 0 where there is nothing to go by. How long a run takes is no
-matter of tests; Testing/Benchmark/run prints it."""
+"""EstimatedTime and EstimatedMemory: known before a run and without one, 0 where there is nothing to go by. The tests do not look at how long a run
+takes; Testing/Benchmark/run prints it."""
 import os
 import re
 
@@ -13,7 +13,7 @@ here = os.path.dirname(os.path.abspath(__file__))
 
 
 def estimate(source):
-    """As a panel asks: seconds and megabytes."""
+    """Asks for seconds and megabytes as a panel does."""
     source.UpdateVTKObjects()
     source.SMProxy.UpdatePropertyInformation()
     return [source.GetProperty(name).GetData() for name in ('EstimatedTime', 'EstimatedMemory')]
@@ -56,7 +56,7 @@ def without_a_run():
         assert min(estimate(TwoPointProbability(Input=pack, Method=method))) > 0.0, method
     for method in ('Annealed Population', 'Hybrid'):
         assert min(estimate(UnitCellReconstruction(Input=pack, Method=method))) > 0.0, method
-    # At most the time limit, on top of the work on the pack
+    # The search takes at most the time limit; the work on the pack comes on top
     endless = UnitCellReconstruction(Input=pack, MaximumIterations=1000000000)
     unlimited = estimate(endless)[0]
     endless.TimeLimit = 5
@@ -104,7 +104,7 @@ def spheres_told():
 
 
 def from_a_table():
-    """The target as a table: with its own lags and the diameters given."""
+    """The target is a table, with its own lags and given diameters."""
     table = TwoPointProbability(Input=make_pack(), NumberOfLags=30)
     table.UpdatePipeline()
     cell = UnitCellReconstruction(Input=table, NumberOfParticles=50)
@@ -116,7 +116,7 @@ def from_a_table():
 
 
 def nothing_to_go_by():
-    """0, and no error, for a pack that was not updated, that has no modes, and for properties out of range."""
+    """The estimates are 0, without an error, for a pack that was not updated, that has no modes, and for properties out of range."""
     reader = SpherePackReader(FileName=os.path.join(here, '../Gui/pack.csv'))
     for source in (reader, ParticleModes(Input=reader)):
         for filter in filters():

@@ -16,7 +16,7 @@ ERROR = re.compile(r'ERR\|.*')
 
 
 def run(script, *arguments, ranks=1):
-    """Exit code, output and its errors, of a script in a folder of its own."""
+    """Exit code, output and errors of a script in a folder of its own."""
     shutil.rmtree(FOLDER, ignore_errors=True)
     os.makedirs(FOLDER)
     with open(os.path.join(FOLDER, 'bad.csv'), 'w', encoding='utf-8') as file:
@@ -27,7 +27,7 @@ def run(script, *arguments, ranks=1):
 
 
 def require_end(what, code, output, errors):
-    """At the first error, which is the reader's; ParaView has printed it, and nothing came of it."""
+    """The script ended at the first error, which is the reader's; ParaView has printed it, and nothing came of it."""
     assert code != 0, (what, code, output)
     assert len(errors) == 1 and 'Sphere Pack Reader' in errors[0] and 'oops' in errors[0], (what, errors, output)
     files = [name for _, _, names in os.walk(FOLDER) for name in names]
@@ -36,7 +36,7 @@ def require_end(what, code, output, errors):
 
 
 def examples(option):
-    """Those that have an option."""
+    """The examples that have an option."""
     for name in sorted(os.listdir(os.path.join(ROOT, 'Examples'))):
         path = os.path.join(ROOT, 'Examples', name)
         if name.endswith('.py') and name != 'common.py':
@@ -46,7 +46,7 @@ def examples(option):
 
 
 def readme():
-    """Its ten lines after the lines that stop, on a pack with an error."""
+    """The ten lines of the README after the lines that stop, on a pack with an error."""
     with open(os.path.join(ROOT, 'README.md'), encoding='utf-8') as file:
         blocks = re.findall(r'```python\n(.*?)```', file.read(), re.DOTALL)
     stop, = (block for block in blocks if 'ErrorEvent' in block)

@@ -11,7 +11,7 @@ from paraview import servermanager
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 RANKS = servermanager.ActiveConnection.GetNumberOfDataPartitions()
-NUMBERS = {}  # that must not depend on the ranks
+NUMBERS = {}  # numbers that must not depend on the ranks
 
 
 def fetch(source, port=0):
@@ -61,7 +61,7 @@ def expect_error(source, parts):
 
 
 def remember(name, values):
-    """For run: every bit of these numbers and texts."""
+    """Keeps every bit of these numbers and texts for run."""
     NUMBERS[name] = [value if isinstance(value, str) else repr(value) for value in values]
 
 

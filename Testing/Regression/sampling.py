@@ -28,7 +28,7 @@ def pairs_of(table):
 
 
 def norm(values):
-    """Over the lags after 0."""
+    """The norm over the lags after 0."""
     return math.sqrt(sum(value * value for value in values[1:]))
 
 
@@ -38,7 +38,7 @@ def spread(values):
 
 
 def periodic_cell(particles):
-    """Random spheres in a periodic cube without overlap: there the pair sum is exact. Modes of equal volume, so that none is rare."""
+    """Random spheres in a periodic cube without overlap: there the pair sum is exact. The modes have equal volumes, so that none is rare."""
     beads = ParticleModes(Input=SpherePackReader(FileName=BEADS, LengthUnit='µm', BoxSize=BEADS_BOX), Method='Equal Volume',
                           NumberOfModes=3)
     cell = UnitCellReconstruction(Input=beads, NumberOfParticles=particles, MaximumIterations=0, MaximumLag=150)
@@ -58,7 +58,7 @@ def periodic_packs():
         for seed in seeds:
             sampled = columns(TwoPointProbability(Input=cell, Method=method, Seed=seed, **lags, **samples))
             for name in pairs_of(exact):
-                # From the fifth lag on: next to contact so few points of different phases are met that the law is that of counts
+                # This looks at lags from the fifth on: next to contact so few points of different phases are met that the law is that of counts
                 for a, b, error in list(zip(exact[name], sampled[name], sampled[name + '_error']))[5:]:
                     units.append((b - a) / error)
             one = columns(OnePointProbability(Input=cell, Method=method, Seed=seed, **samples))
@@ -69,8 +69,8 @@ def periodic_packs():
         print('  %s: root mean square %.2f standard errors, one-point %.2f, beyond 2 %.3f, beyond 5 %.5f, largest %.1f' %
               (method, square, one_square, two, five, max(map(abs, units))))
         # The normal law has 0.0455 beyond 2. Lags and pairs go together, so that a seed gives some 5 independent numbers: their mean square
-        # scatters by sqrt(2 / 50) = 0.2 about 1, and the share by sqrt(0.0455 / 50) = 0.03: 3 of each. Beyond 5 the law has 6e-7, so
-        # none; a thousandth is for errors from few batches
+        # scatters by sqrt(2 / 50) = 0.2 about 1, and the share by sqrt(0.0455 / 50) = 0.03; the limit is 3 of each. Beyond 5 the law has 6e-7,
+        # so none; a thousandth is for errors from few batches
         assert 0.6 < square**2 < 1.6 and two < 0.0455 + 3.0 * 0.03 and five <= 0.001, (method, square, two, five)
         # 4 phases, of which 3 are independent
         assert 0.4 < one_square**2 < 1.8 and max(map(abs, ones)) < 5.0, (method, one_square, ones)
@@ -120,7 +120,7 @@ def cylinders():
     octants = [columns(TwoPointProbability(Input=modes, BoxOrigin=[-half + i * half, -half + j * half, low + k * height / 2.0],
                                            BoxSize=[half, half, height / 2.0], **lags))
                for i, j, k in itertools.product((0, 1), repeat=3)]
-    # By how much one part of the pack of the octants' volume differs from another
+    # By how much two parts of the pack with the volume of an octant differ
     part = {name: [spread([table[name][k] for table in octants]) for k in range(51)] for name in pairs_of(octants[0])}
     octant_volume = half * half * height / 2.0
 
@@ -154,7 +154,7 @@ def cylinders():
 
 def masks():
     """A mask equal to a box is that box; so is a label of a label image."""
-    step = 20.0  # of the voxels in µm, which is the unit here
+    step = 20.0  # the edge of the voxels in µm, which is the unit here
     beads = SpherePackReader(FileName=BEADS, Scale=1.0 / step, LengthUnit='20 µm')
     modes = ParticleModes(Input=beads, NumberOfModes=3)
     lags = {'MaximumLag': 9, 'NumberOfLags': 30, 'NumberOfLines': 3000, 'WindowMargin': 2}
@@ -181,7 +181,7 @@ def masks():
                 for a, b in zip(values, other[name]):
                     worst = max(worst, 0.0 if math.isnan(a) and math.isnan(b) else abs(a - b))
         print('  %s: largest difference from the box %.1e' % (label, worst))
-        assert worst < 1e-9, (label, worst)  # rounding of the positions along lines
+        assert worst < 1e-9, (label, worst)  # the rounding of the positions along lines
         for field_name in ('SampledVolume', 'TotalError'):
             for a, b in ([field(fetch(two), field_name) for two in pair] for pair in zip(expected, sources)):
                 assert abs(a / b - 1.0) < 1e-9, (field_name, a, b)
@@ -213,11 +213,11 @@ def stretched_packs():
         for name in sigma[stretch]:
             measured, noise = norm(chords[name]), norm(chords[name + '_noise'])
             # Independent directions: the variance by chords is the exact one and that of the noise. An estimate from 24 directions scatters
-            # by sqrt(2 / 23) = 0.3, and less as the lags are several independent numbers; 0.15 of a standard deviation, 3 times
+            # by sqrt(2 / 23) = 0.3, and less as the lags are several independent numbers; the limit is 3 times 0.15 of a standard deviation
             ratio = measured / math.hypot(sigma[stretch][name], noise)
             print('  stretch %g %s: exact %.5f, chords %.5f, noise %.5f, ratio %.2f' % (stretch, name, sigma[stretch][name], measured, noise, ratio))
             assert abs(ratio - 1.0) < 0.45, (stretch, name, ratio)
-    # Of all phases that fill the cell well; the pack itself deviates by its finite size only
+    # This looks at all phases that fill the cell well; the pack itself deviates by its finite size only
     assert sigma[1.25]['sigma_S_m_m'] > 1.5 * sigma[1.0]['sigma_S_m_m'], sigma
 
 

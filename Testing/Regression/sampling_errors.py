@@ -30,7 +30,7 @@ def image(extent, function):
 
 
 def update(source):
-    """Rows of the tables, points of the map."""
+    """The number of rows of a table, or of points of the map."""
     source.UpdatePipeline()
     result = []
     for port in range(source.SMProxy.GetNumberOfOutputPorts()):
@@ -95,7 +95,7 @@ for source, expected in ((one, 3), (two, 21), (directions, 21), (chords, 21)):
         assert rows(source) == 0, (name, rows(source))
         source.Mask, source.MaskArray, source.MaskLabel, source.WindowMargin = good, 'Inside', 0, -1.0
         assert rows(source) == expected, (name, rows(source))
-two.Method = directions.Method = 'Exact Pair Sum'  # which knows no masks
+two.Method = directions.Method = 'Exact Pair Sum'  # this method knows no masks
 assert rows(two) == rows(directions) == 0
 two.Method = 'Chord Sampling'
 assert rows(two) == 21

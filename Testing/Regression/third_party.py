@@ -17,7 +17,7 @@ def field(data, name):
     return data.GetFieldData().GetArray(name).GetComponent(0, 0)
 
 
-# name, rows, ghosts, packing fraction as the file's porosity says, to its digits
+# the name, the rows, the ghosts, and the packing fraction to the digits of the file's porosity
 for name, rows, ghosts, fraction, digits in (('Sph1896_pack.out', 1896, 396, 1 - 0.36, 6), ('Sph125_pack.out', 125, 0, 1 - 0.369, 3)):
     reader = SpherePackReader(FileName=os.path.join(folder, 'lbpm', name), SkipLines=5, BoxSize=[1, 1, 1], BoxPeriodic=[1, 1, 1])
     modes = ParticleModes(Input=reader, NumberOfModes=3)

@@ -54,7 +54,7 @@ def make_pack(name, radius=0.36, periodic=0, shift=0.0):
 
 
 def properties_and_outputs():
-    """Names, types, field data, spacing; what errors and no errors give."""
+    """Names, types, field data and spacing, and the outputs with and without standard errors."""
     pack = make_pack('periodic', periodic=1)
     source = ThreePointProbability(Input=pack)
     defaults = {'Phases': 'm m m', 'MaximumLag': 0.0, 'NumberOfLags': 277, 'NumberOfDirections': 20, 'NumberOfThrows': 50000,
@@ -84,7 +84,7 @@ def properties_and_outputs():
     assert list(third) == ['Phase', 'VolumeFraction', 'zeta', 'eta', 'zeta_error', 'eta_error'] and third['Phase'] == ['m', 'all but m']
     assert 0.0 < third['zeta_error'][0] < 10.0 and abs(sum(third['zeta']) - 1.0) < 1e-12, third
 
-    # Limits of the exact pair sum, and within 5 standard errors of it: of the norm over lags that go together
+    # The limits are those of the exact pair sum, within 5 standard errors of the norm over lags that go together
     two = columns(TwoPointProbability(Input=pack, **GRID))
     assert limits['S_1_2_2_diagonal_limit'] == two['S_1_2'] and limits['S_m_m_m_r1_axis_limit'] == two['S_m_m']
     for name, place, difference, error in zip(*(checks[column] for column in ('Triple', 'Place', 'Difference', 'StandardError'))):
@@ -97,7 +97,7 @@ def properties_and_outputs():
         remember('periodic %d' % port, itertools.chain(*table.values()))
     remember('periodic image', (x for place in sorted(values) for x in values[place].values()))
 
-    # Without errors: the same values, no errors, and half of the memory; another seed, other values
+    # Without errors the values are the same, there are no errors, and memory is half; another seed gives other values
     with_errors = field(fetch(source), 'EstimatedMemory')
     source.StandardErrors = 0
     without, memory = points(source), field(fetch(source), 'EstimatedMemory')
@@ -109,14 +109,14 @@ def properties_and_outputs():
     source.Seed, source.Phases = 7, 'm 2 1'
     swapped = points(source)
     assert all(swapped[j, i, t]['S_m_2_1'] == values[i, j, t]['S_m_1_2'] for i, j, t in values)
-    assert fetch(source, 3).GetNumberOfRows() == 0  # no triple of one phase
+    assert fetch(source, 3).GetNumberOfRows() == 0  # there is no triple of one phase
     source.SMProxy.UpdatePropertyInformation()
     estimate = source.GetProperty('EstimatedMemory').GetData()
     assert abs(estimate - field(fetch(source), 'EstimatedMemory')) <= 0.5 * estimate, estimate
 
 
 def all_triples():
-    """Every triple, with few lags: their number, and that they add up to S_rs; refused where they take too much."""
+    """Every triple, with few lags: their number is right, they add up to S_rs, and they are refused where they take too much."""
     pack = make_pack('all', periodic=1)
     source = ThreePointProbability(Input=pack, Phases='all', **FEW)
     values, phases = points(source), ['1', '2', 'm']
@@ -134,7 +134,7 @@ def all_triples():
             for t, row in sums.items():
                 assert max(row) - min(row) < 1e-12, (r, s, i, t, row)
             assert max(abs(row[0] - sums[0][0]) for row in sums.values()) < 1e-12, (r, s, i)
-    # And it is S_rs: chords of the same throws do not exist, so within 5 standard errors of the exact sum
+    # And it is S_rs: there are no chords of the same throws, so the limit is 5 standard errors of the exact sum
     two, errors = columns(TwoPointProbability(Input=pack, **GRID)), columns(ThreePointProbability(Input=pack, Phases='1 1 1; m m m',
                                                                                                  StandardErrors=1, **FEW), 1)
     for r in ('1', 'm'):
@@ -187,7 +187,7 @@ def windows():
         assert len(masked) == len(reference) and worst < 0.02, worst
         remember('mask %d' % extent[0], itertools.chain(*columns(source, 1).values()))
 
-    # Overlapping spheres count once: phases of every point add to 1, and the limits are those by chords
+    # Overlapping spheres count once: the phases of every point add up to 1, and the limits are those by chords
     overlapping = make_pack('overlapping', radius=0.55, periodic=1)
     source = ThreePointProbability(Input=overlapping, Phases='m m m; 1 1 1; 2 2 2', StandardErrors=1, **FEW)
     assert field(fetch(source), 'LimitMethod') == 'Chord Sampling' and field(fetch(source), 'OverlapPercent') > 1.0
@@ -271,7 +271,7 @@ def comparisons():
         assert fetch(source, 2).GetNumberOfPoints() == 0
         remember('compared tables %d' % len(cells), itertools.chain(*rows.values(), *curves.values()))
 
-    # From a file, and from one with columns missing
+    # The table comes from a file, and from one without some columns
     path = os.path.join(FOLDER, 'three_point_%d_table.csv' % RANKS)
     def write(leave_out):
         with open(path, 'w') as file:
@@ -316,7 +316,7 @@ def comparisons():
     expect_error(source, ["Cell requires an array of the input's names, got none"])
     three[1].Phases = '1 2 2; m m m'
     assert points(source, 2) == difference
-    # Images of one voxel, which two ranks cannot share: the rank without points has no arrays
+    # Two ranks cannot share an image of one voxel: the rank without points has no arrays
     small = {'NumberOfLags': 1, 'MaximumLag': 1, 'NumberOfDirections': 2, 'NumberOfThrows': 50}
     tiny = [Calculator(Input=ThreePointProbability(Input=pack, **small), ResultArrayName='More', Function='300*S_m_m_m')
             for pack in packs[:2]]

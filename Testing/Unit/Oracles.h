@@ -26,8 +26,10 @@ namespace oracle
 {
 constexpr double Pi = 3.14159265358979323846;
 
-/** What a std::invalid_argument says; a text no message contains when nothing or something else is
- * thrown. */
+/**
+ * What a std::invalid_argument says, or a text that no message contains when nothing or something
+ * else is thrown.
+ */
 template <class Function>
 std::string MessageOf(Function&& function)
 {
@@ -55,6 +57,7 @@ std::string MessageOf(Function&& function)
       << "message: " << message << "\nwanted: " << (part);                                         \
   } while (false)
 
+/** Uniform random numbers. */
 class Uniform
 {
 public:
@@ -62,7 +65,7 @@ public:
     : Generator(seed)
   {
   }
-  /** In [low, high). */
+  /** A number in [low, high). */
   double operator()(double low = 0.0, double high = 1.0)
   {
     return low + (high - low) * ((this->Generator() >> 11) * 0x1p-53);
@@ -80,8 +83,10 @@ private:
   std::mt19937_64 Generator;
 };
 
-/** Double-exponential quadrature: also for integrands with a root or a kink at an end of the
- * interval. */
+/**
+ * Double-exponential quadrature, which also suits integrands with a root or a kink at an end of the
+ * interval.
+ */
 template <class Function>
 double Integrate(double from, double to, Function&& f)
 {
@@ -117,9 +122,9 @@ double Integrate(double from, double to, std::vector<double> kinks, Function&& f
 }
 
 /**
- * Volume shared by two spheres: the area of the lesser of the two coaxial discs, integrated along
- * the line of centres. It is a polynomial of degree 2 between its kinks, for which Simpson's rule
- * is exact.
+ * The volume shared by two spheres: the area of the lesser of the two coaxial discs, integrated
+ * along the line of centres. It is a polynomial of degree 2 between its kinks, for which Simpson's
+ * rule is exact.
  */
 inline double LensVolume(double a, double b, double t)
 {
@@ -137,11 +142,11 @@ inline double LensVolume(double a, double b, double t)
 }
 
 /**
- * Volume of the union of three spheres of radius a at the corners of a triangle with sides r1 and
- * r2 and the angle theta between them. Over a point of the triangle's plane at a distance rho from
- * the nearest corner the union has the height 2 sqrt(a^2 - rho^2). So of every sphere that is lost
- * which lies beyond the bisectors towards the other corners: in a direction in which a bisector is
- * rho away, 2/3 (a^2 - rho^2)^(3/2). The integral over directions, rho = h / cos(phi), is
+ * The volume of the union of three spheres of radius a at the corners of a triangle with sides r1
+ * and r2 and the angle theta between them. Over a point of the triangle's plane at a distance rho
+ * from the nearest corner the union has the height 2 sqrt(a^2 - rho^2). So every sphere loses what
+ * lies beyond the bisectors towards the other corners: in a direction in which a bisector is rho
+ * away, 2/3 (a^2 - rho^2)^(3/2). The integral over directions, with rho = h / cos(phi), is
  * elementary.
  */
 inline double UnionOfThree(double a, double r1, double r2, double theta)
@@ -194,7 +199,7 @@ inline double UnionOfThree(double a, double r1, double r2, double theta)
   return sum;
 }
 
-/** Volume common to the same three spheres. */
+/** The volume common to the same three spheres. */
 inline double CommonToThree(double a, double r1, double r2, double theta)
 {
   const double r3 = std::sqrt(std::max(r1 * r1 + r2 * r2 - 2.0 * r1 * r2 * std::cos(theta), 0.0));
@@ -202,8 +207,10 @@ inline double CommonToThree(double a, double r1, double r2, double theta)
     LensVolume(a, a, r2) + LensVolume(a, a, r3);
 }
 
-/** Mean of the lens volume over all directions of the lag: 1/2 integral over mu of V(sqrt(d^2 + r^2
- * - 2 d r mu)). */
+/**
+ * The mean of the lens volume over all directions of the lag: 1/2 integral over mu of V(sqrt(d^2 +
+ * r^2 - 2 d r mu)).
+ */
 inline double AveragedLens(double a, double b, double r, double d)
 {
   if (r == 0.0 || d == 0.0)
@@ -222,14 +229,14 @@ inline double AveragedLens(double a, double b, double r, double d)
 }
 
 /**
- * Bound of the error of g_ab(r; d) when it is interpolated by cubic Hermite polynomials on knots H
- * apart, the contact a + b being one. A jump J of the third derivative inside an interval makes an
- * error of J H^3 / 192 at most, a fourth derivative M one of M H^4 / 384. h_ab = 2 d r g jumps by 2
- * pi a b at t = d - r and d + r equal to a + b and |a - b|, for equal radii by 4 pi a b at t = 0;
- * in between its fourth derivative is at most 4 pi max(a, b). Twice that for the factor 1 / d, and
- * for two jumps in one interval. A jump at a distance r from a knot makes an error of 0.074 J r^2 H
- * at most: for r < H / 4, where those at the contact a + b are so near to its knot, the error falls
- * with r.
+ * A bound of the error of g_ab(r; d) when it is interpolated by cubic Hermite polynomials on knots
+ * H apart, of which the contact a + b is one. A jump J of the third derivative inside an interval
+ * makes an error of at most J H^3 / 192, a fourth derivative M one of M H^4 / 384. h_ab = 2 d r g
+ * jumps by 2 pi a b where t = d - r or d + r equals a + b or |a - b|, and for equal radii by 4 pi a
+ * b at t = 0; in between its fourth derivative is at most 4 pi max(a, b). The bound is twice that,
+ * for the factor 1 / d and for two jumps in one interval. A jump at a distance r from a knot makes
+ * an error of at most 0.074 J r^2 H: for r < H / 4, where the jumps at the contact a + b are so
+ * near to its knot, the error falls with r.
  */
 inline double HermiteError(double a, double b, double r, double d, double knots)
 {
@@ -298,8 +305,10 @@ void ForEachPair(const ruc::SpherePack& pack, const ruc::Window& box, double cut
   }
 }
 
-/** The least d - (a + b)(1 - 1e-12) over all pairs and images: the plugin's promise is that it is
- * not negative. */
+/**
+ * The least d - (a + b)(1 - 1e-12) over all pairs and images. The plugin promises that it is not
+ * negative.
+ */
 inline double LeastGap(const ruc::SpherePack& pack, const ruc::Window& box)
 {
   double least = 1e300;
@@ -314,7 +323,7 @@ inline ruc::Window PeriodicCube(double edge)
   return ruc::Window::MakeBox({ 0.0, 0.0, 0.0 }, { edge, edge, edge }, { true, true, true });
 }
 
-/** `counts[m]` spheres of radius `radii[m]` and mode m + 1 at random places of a box. */
+/** Makes `counts[m]` spheres of radius `radii[m]` and mode m + 1 at random places of a box. */
 inline ruc::SpherePack RandomPack(const std::vector<int>& counts, const std::vector<double>& radii,
   const ruc::Window& box, std::uint64_t seed)
 {
@@ -350,8 +359,10 @@ struct PackInBox
   ruc::Window Box;
 };
 
-/** Sizes of a ratio of 20; a box hardly larger than the largest sphere; one flat as a plate; one
- * sphere; none. They may overlap. */
+/**
+ * Packs that are hard to search: with sizes of a ratio of 20; in a box hardly larger than the
+ * largest sphere; in one as flat as a plate; of one sphere; of none. They may overlap.
+ */
 inline std::vector<PackInBox> HardPacks(const std::array<bool, 3>& periodic)
 {
   const ruc::Window wide = ruc::Window::MakeBox({ -1, 2, 3 }, { 4.0, 5.0, 6.0 }, periodic);

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/** @file What chord and template sampling are compared with. */
+/**
+ * @file
+ * What chord and template sampling are compared with.
+ */
 
 #include "Oracles.h"
 #include "ThreadRanks.h"
@@ -11,7 +14,10 @@
 
 #include <omp.h>
 
-/** Many short runs are faster on one thread, above all on a busy machine. */
+/**
+ * Takes one thread as long as it lives: many short runs are faster on one, above all on a busy
+ * machine.
+ */
 class OneThread
 {
 public:
@@ -53,8 +59,10 @@ private:
   double Count = 0.0;
 };
 
-/** Every value within so many of its standard errors, which must not be vast; 2e-6 is for the error
- * of the exact sum. */
+/**
+ * Expects every value within so many of its standard errors, which must not be vast; 2e-6 is for
+ * the error of the exact sum.
+ */
 inline void ExpectWithinErrors(
   const ruc::SampledTwoPoint& sampled, const ruc::TwoPointProbability& exact, double errors)
 {
@@ -71,9 +79,9 @@ inline void ExpectWithinErrors(
 }
 
 /**
- * The Boolean model with a fixed number N of spheres of radius a at random in a periodic cube: the
- * mean over realisations is S_mm(r) = (1 - V_union(r) / V)^N, which tends to exp(-rho V_union). The
- * scatter of the realisations, each sampled anew, is the standard error.
+ * Compares with the Boolean model with a fixed number N of spheres of radius a at random in a
+ * periodic cube: the mean over realisations is S_mm(r) = (1 - V_union(r) / V)^N, which tends to
+ * exp(-rho V_union). The scatter of the realisations, each sampled anew, is the standard error.
  */
 template <class Sample>
 void ExpectBooleanModel(Sample&& sample)
@@ -111,8 +119,10 @@ inline void ExpectEqual(const ruc::SampledTwoPoint& a, const ruc::SampledTwoPoin
   EXPECT_EQ(a.TotalError, b.TotalError);
 }
 
-/** sample(share of the pack, ranks) gives `==` results on every rank, however many ranks and
- * threads there are and whatever their shares, of which one is empty or one is all. */
+/**
+ * Expects that sample(share of the pack, ranks) gives `==` results on every rank, however many
+ * ranks and threads there are and whatever their shares, of which one is empty or one is all.
+ */
 template <class Sample>
 void ExpectEqualForRanksAndThreads(const ruc::SpherePack& pack, Sample&& sample)
 {

@@ -77,8 +77,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   }
   try
   {
-    // Written again, so that every value is looked at; a truth value is only looked at where it is
-    // asked
+    // The state is written again, so that every value is looked at; a truth value is only looked at
+    // where it is asked for
     if (population)
     {
       ruc::WriteCheckpoint(ruc::ReadPopulationCheckpoint(checkpoint, key), key);

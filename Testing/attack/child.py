@@ -63,7 +63,7 @@ def properties(proxy):
 
 
 def elements(element, name):
-    """The elements of this name at any depth of a proxy's XML."""
+    """The elements of this name, at any depth, in the XML of a proxy."""
     for i in range(element.GetNumberOfNestedElements()):
         nested = element.GetNestedElement(i)
         if nested.GetName() == name:
@@ -121,7 +121,7 @@ class Files:
                 file.write('%r,%r,%r,%r,%d,%d\n' % (*map(float, point), float(radius), mode, i))
         open(p('empty'), 'w').close()
         with open(p('huge'), 'w') as file:
-            file.truncate(1 << 42)  # of holes
+            file.truncate(1 << 42)  # the file consists of holes
         with open(p('noise'), 'wb') as file:
             file.write(bytes(i * i % 251 for i in range(5000)))
         os.mkdir(p('folder'))
@@ -140,7 +140,7 @@ class Files:
         return (self.path(value[1:]) if value.startswith('@') else value).encode()
 
     def changed(self):
-        """Files of others that are not as they were."""
+        """The files of others that are not as they were."""
         wrong = []
         for name in self.Kept:
             try:
@@ -175,7 +175,7 @@ def source(kind, name):
 
 
 def apply(proxy, settings, files):
-    """Past the domains, as a script can."""
+    """Sets a property past its domains, as a script can."""
     for name, values in settings.items():
         found = proxy.GetProperty(name)
         if found.GetNumberOfElements() != len(values):
@@ -217,7 +217,7 @@ def suspicious(proxy):
 
 
 def outcome(proxy):
-    """Sizes and ranges of all outputs over all ranks: what must not depend on the ranks."""
+    """Sizes and ranges of all outputs over all ranks, which must not depend on the ranks."""
     found = {}
     for port in range(proxy.GetNumberOfOutputPorts()):
         information = proxy.GetDataInformation(port)
@@ -239,7 +239,7 @@ def attack(case, description, parent):
     inputs = [(name, source(*value.split('/', 1))) for name, value in case['inputs'].items()]
     for name, made in inputs:
         proxy.GetProperty(name).AddInputConnection(made, 0)
-    say('BEGIN', None)  # before are the words of ParaView about the data
+    say('BEGIN', None)  # the words before are ParaView's, about the data
     with open('/proc/self/clear_refs', 'w') as file:
         file.write('5')
     before = memory('VmRSS')

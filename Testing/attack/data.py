@@ -40,7 +40,7 @@ def lattice():
 
 
 def build(pack, rank, ranks, point_set=vtkPolyData, precision=VTK_DOUBLE):
-    """The share of a rank. An array shorter than the points is given whole, so that it is too short on every rank."""
+    """The share of a pack that a rank gets. An array shorter than the points is given whole, so that it is too short on every rank."""
     count = len(pack['points'])
     share = slice(rank * count // ranks, (rank + 1) * count // ranks)
     data, points = point_set(), vtkPoints()
@@ -69,7 +69,7 @@ def pack(**changes):
 
 
 def cut(count):
-    """Only the first spheres."""
+    """Keeps only the first spheres."""
     def make(rank, ranks):
         return build({name: values if name == 'field' else values[:count] for name, values in lattice().items()}, rank, ranks)
     return make
@@ -282,14 +282,14 @@ TABLES = {
     'strange name': table(**{'S__': numpy.zeros(11), 'S_1': numpy.zeros(11), 'S_1_1_1': numpy.zeros(11)}),
 }
 KINDS = {'pack': PACKS, 'image': IMAGES, 'table': TABLES}
-for kind, sets in KINDS.items():  # what is good as one kind is of the wrong type as another
+for kind, sets in KINDS.items():  # what is good as one kind has the wrong type as another
     for other, others in list(KINDS.items()):
         if other != kind:
             sets['a good ' + other] = others['good']
 
 
 def fill(algorithm, kind, name, rank, ranks):
-    """For the script of a Programmable Source. Of an image a rank gives the piece that it is asked for, if VTK itself can cut it."""
+    """Gives the data in the script of a Programmable Source. Of an image a rank gives the piece that it is asked for, if VTK itself can cut it."""
     made = KINDS[kind][name](rank, ranks)
     asked = algorithm.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.UPDATE_EXTENT())
     if ranks > 1 and made.IsA('vtkImageData') and made.GetNumberOfCells() > 0 and all(
@@ -301,7 +301,7 @@ def fill(algorithm, kind, name, rank, ranks):
 
 
 def inform(algorithm, kind, name):
-    """For its script of information."""
+    """Gives the extent in its script of information."""
     made = KINDS[kind][name](0, 1)
     if made.IsA('vtkImageData') or made.IsA('vtkRectilinearGrid') or made.IsA('vtkStructuredGrid'):
         algorithm.GetOutputInformation(0).Set(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), made.GetExtent(), 6)

@@ -29,7 +29,7 @@ RANK = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
 CHORDS, TEMPLATE = {'Method': 'Chord Sampling'}, {'Method': 'Template Sampling'}
 SPLIT = hasattr(simple, 'DirectionalProbability')  # Two-Point Probability is five filters
 LAGS = {'MaximumLag': 200, 'NumberOfLags': 277}
-FEW_LAGS = {'MaximumLag': 2.0, 'NumberOfLags': 20}  # of the lattice, whose edge is 9
+FEW_LAGS = {'MaximumLag': 2.0, 'NumberOfLags': 20}  # for the lattice, whose edge is 9
 ENTRIES = {}
 
 
@@ -182,7 +182,7 @@ def write_spheres(name, rows, header='x,y,z,radius', separator=','):
 
 
 def lattice(sizes=2, radius=0.41, jitter=0.11):
-    """A jittered lattice of 729 spheres: of two sizes, or each of its own."""
+    """A jittered lattice of 729 spheres, which have two sizes or each its own."""
     for n, (x, y, z) in enumerate(itertools.product(range(9), repeat=3)):
         moved = [jitter * math.sin(12.9898 * n + 78.233 * q) for q in range(3)]
         size = (radius if n % 3 else radius - 0.05) if sizes == 2 else radius - 0.15 * (n * 0.618034 % 1.0)
@@ -196,7 +196,7 @@ def lattice_pack(name, periodic=True, windowed=True, modes=None, **options):
 
 
 def spread(name, **options):
-    """Shared out over the ranks, while a pack that is read lies on the first."""
+    """A pack that is shared out over the ranks, while one that is read lies on the first."""
     return DistributePoints(Input=lattice_pack(name, **options))
 
 
@@ -204,7 +204,7 @@ MANY = {'sizes': 729, 'modes': {'Method': 'Equal Volume', 'NumberOfModes': 3}}
 
 
 def table_file(name, source):
-    """A table of this rank's as a file; of the others, which have no rows, one that no one reads."""
+    """Writes a table of this rank to a file; the other ranks, which have no rows, write one that no one reads."""
     data = source.GetClientSideObject().GetOutputDataObject(0)
     columns = [data.GetColumn(i) for i in range(data.GetNumberOfColumns())]
     return write_spheres(name, zip(*(map(float, memoryview(c)) for c in columns)) if data.GetNumberOfRows() else [],

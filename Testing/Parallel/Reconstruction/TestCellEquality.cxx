@@ -23,8 +23,8 @@ void SmallCell(Cell* f)
   f->SetMaximumIterations(120);
 }
 
-// Three cells in as many groups of ranks as there are; once is enough of what the pack has to do
-// with it
+// Three cells, in as many groups of ranks as there are. One case is enough, as the pack plays
+// little part in it.
 class MethodEquality : public EveryPack
 {
 protected:

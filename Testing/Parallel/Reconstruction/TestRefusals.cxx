@@ -11,7 +11,7 @@ namespace
 {
 const std::string Name = "Unit Cell Reconstruction";
 
-// That a good pack is taken needs no good cell
+// Keeps the search short: whether a good pack is taken does not depend on a good cell
 void Briefly(Cell* filter)
 {
   filter->SetMaximumIterations(2);

@@ -167,7 +167,7 @@ TEST(TableRefusals, UnevenLags)
     [](vtkTable* t) { t->SetValueByName(4, "r", vtkVariant(2.1)); });
 }
 
-// Of `digits` digits, as a program writes them, which neither lags nor steps of a table have
+// A number of `digits` digits, as a program writes it, which neither lags nor steps of a table are
 // exactly
 TEST(TableRefusals, RoundedLags)
 {

@@ -19,7 +19,7 @@ void OnRanks(const std::function<void(ruc::Communicator&)>& work)
   }
 }
 
-// As many numbers as the rank says, none on rank 0
+// As many numbers as the number of the rank, so none on rank 0
 std::vector<double> NumbersOf(int rank)
 {
   return std::vector<double>(rank, rank + 0.5);

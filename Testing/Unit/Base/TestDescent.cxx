@@ -9,7 +9,7 @@ namespace
 using ruc::DescentEnd;
 using ruc::DescentState;
 
-// Rosenbrock's function of any even number of variables; the least value 0 at (1, …, 1)
+// Rosenbrock's function of any even number of variables, whose least value is 0 at (1, …, 1)
 bool Rosenbrock(const double* x, double* gradient, std::size_t n, double& value)
 {
   value = 0.0;
@@ -133,7 +133,7 @@ TEST(Descent, TheFirstStepHasItsLength)
       return true;
     },
     [](const DescentState&) { return false; });
-  // A bowl round (-1, -1), 6 sqrt(2) away: the slope has to fall to 0.9 of itself, after 0.85; the
-  // first step, 0.25, is doubled until then
+  // A bowl round (-1, -1), 6 sqrt(2) away. The slope falls to 0.9 of itself after 0.85; the first
+  // step, 0.25, is doubled until then.
   EXPECT_NEAR(std::hypot(state.Place[0] - 5.0, state.Place[1] - 5.0), 1.0, 1e-12);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Texts of numbers against the compiler's reading of them, and the two ways of reading against each
-// other
+// Compares texts of numbers with the compiler's reading of them, and the two ways of reading with
+// each other
 #include "ruc/Base/ParseDouble.h"
 
 #include <gtest/gtest.h>

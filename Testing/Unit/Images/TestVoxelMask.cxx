@@ -62,7 +62,7 @@ TEST(VoxelMask, ABoxShrinksByWholeVoxels)
 {
   for (int layers : { 0, 1, 2 })
   {
-    // 0.1 layers is not a multiple of 0.1 in binary: the tolerance has to take that up.
+    // A margin of 0.1 layers is not a multiple of 0.1 in binary, which the tolerance has to take up
     const VoxelMask eroded = VoxelMask(
       { 7, 8, 9 }, { 0, 0, 0 }, { 0.1, 0.1, 0.1 }, std::vector<std::uint8_t>(7 * 8 * 9, 1))
                                .Eroded(0.1 * layers);

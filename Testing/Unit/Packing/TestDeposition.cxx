@@ -60,7 +60,7 @@ void ExpectInCell(const Cell& cell, const std::vector<double>& centres)
   }
 }
 
-// Counts in 8 bins of an axis are within 5 standard errors of equal
+// Expects that the counts in 8 bins of an axis are within 5 standard errors of equal
 void ExpectUniform(const std::vector<double>& values, double edge)
 {
   std::vector<int> counts(8, 0);
@@ -124,13 +124,13 @@ TEST(Deposition, ACellLittleLargerThanItsLargestSphere)
 
 TEST(Deposition, ADegreeThatCannotBeKeptIsToldAndTheLeastOfTheDraws)
 {
-  // Above the fraction 0.382 at which random sequential addition jams
+  // The fraction is above 0.382, at which random sequential addition jams
   const Cell cell = MakeCell({ 60 }, { 1.0 }, 0.6);
   const ruc::BallisticDeposition deposition =
     ruc::DepositBallistically(cell.Radii, cell.Edge, 1, 0, 0.0);
   EXPECT_GT(deposition.Degree, 0.0);
   EXPECT_NEAR(DegreeOf(cell, deposition.Centres), deposition.Degree, 1e-12);
-  // Random centres of so many spheres overlap far more
+  // As many random centres overlap far more
   std::vector<double> random;
   for (std::size_t i = 0; i < cell.Radii.size(); ++i)
   {
@@ -152,7 +152,8 @@ TEST(Deposition, ADegreeOfOneAllowsAnyOverlap)
 
 TEST(Deposition, IsGivenUpWhenItIsTold)
 {
-  // Above where random sequential addition jams: most spheres take all of their 10 000 draws
+  // The fraction is above that at which random sequential addition jams: most spheres take all of
+  // their 10 000 draws
   const Cell cell = MakeCell({ 60 }, { 1.0 }, 0.6);
   for (int stopAt : { 1, 20 })
   {

@@ -101,14 +101,14 @@ TEST(MassSpring, StopsWhenItIsTold)
 {
   const ruc::Window box = oracle::PeriodicCube(EdgeFor({ 16 }, { 1.0 }, 0.8)); // impossible
   const ruc::SpherePack start = oracle::RandomPack({ 16 }, { 1.0 }, box, 3);
-  // Among the steps, and while overlap is removed another way after the 2000th
+  // It is stopped among the steps, and while overlap is removed another way after the 2000th
   for (int stopAt : { 1, 5, 250 })
   {
     ruc::SpherePack pack = start;
     int calls = 0;
     EXPECT_FALSE(ruc::MoveBySpringsUntilFree(pack, box, 1, [&]() { return ++calls < stopAt; }));
     EXPECT_GE(calls, stopAt);
-    EXPECT_LE(calls, stopAt + 1); // by springs, and by the other way
+    EXPECT_LE(calls, stopAt + 1); // one call by springs, and one by the other way
   }
 }
 

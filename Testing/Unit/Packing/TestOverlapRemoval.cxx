@@ -8,7 +8,7 @@ namespace
 {
 const auto Always = []() { return true; };
 
-// Edge of a cube that these spheres fill to a fraction
+// The edge of a cube that these spheres fill to a fraction
 double EdgeFor(const std::vector<int>& counts, const std::vector<double>& radii, double fraction)
 {
   double volume = 0.0;

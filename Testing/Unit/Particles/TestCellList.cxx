@@ -130,7 +130,7 @@ TEST(CellList, DegeneratePacks)
 
 TEST(CellList, CentresOnFacesAndCellBorders)
 {
-  // a lattice whose centres lie on the borders of the cells, with a cut-off just above and just
+  // A lattice whose centres lie on the borders of the cells, with a cut-off just above and just
   // below a lattice distance
   for (const std::array<bool, 3>& periodic : Periodicities)
   {

@@ -83,7 +83,7 @@ TEST(PairNeighbourhood, MeetsEveryPairOfImagesOnceOverAllRanks)
       oracle::ForEachPair(pack, window, cutoff,
         [&](std::size_t i, std::size_t j, const std::array<int, 3>&, double d)
         {
-          // to nine digits: the oracle rounds otherwise
+          // To nine digits, as the oracle rounds differently
           ++expected[{
             std::min(pack.X[i], pack.X[j]), std::max(pack.X[i], pack.X[j]), std::round(1e9 * d) }];
         });
@@ -127,7 +127,7 @@ TEST(PackShare, ResultsAreTheSameForAnySharing)
       }
       for (std::size_t i = pack.Size(); manySizes && i < 300; ++i)
       {
-        // more sizes than tables take; they may overlap
+        // More sizes than tables take; spheres may overlap
         oracle::Uniform random(100 + i);
         pack.X.push_back(random(3.0, 7.0));
         pack.Y.push_back(random(3.0, 7.0));

@@ -54,7 +54,7 @@ void ExpectSummaries(const ParticleModes& modes, const std::vector<double>& diam
     EXPECT_EQ(summary.Count, count);
     EXPECT_EQ(summary.MinimumDiameter, least);
     EXPECT_EQ(summary.MaximumDiameter, most);
-    // rounding of a sum of positive terms
+    // The rounding of a sum of positive terms
     EXPECT_NEAR(summary.Volume, oracle::Pi / 6.0 * cubes, 1e-12 * cubes);
     EXPECT_NEAR(summary.VolumeMeanDiameter, std::cbrt(cubes / count), 1e-12 * most);
   }

@@ -68,7 +68,7 @@ std::map<Pair, int> PairsOfCells(const ruc::SpherePack& pack, const ruc::Window&
 TEST(SizeClasses, SimilarSizesAreOneClass)
 {
   EXPECT_EQ(Classes({ 1.0, 0.8, 0.6, 0.55 }, 3.0, 1.0).Count(), 1);
-  // Two octaves, but far-reaching lags, which matter as much for both
+  // Two octaves, but lags that reach so far that they matter as much for both
   EXPECT_EQ(Classes(std::vector<double>{ 1.0, 0.3, 0.3, 0.3, 0.3 }, 100.0, 1.0).Count(), 1);
   EXPECT_EQ(Classes({}, 3.0, 1.0).Count(), 1);
 }
@@ -168,6 +168,6 @@ TEST(SizeClasses, MostNeighboursIsABound)
     neighbours[std::get<1>(pair)] += number;
   }
   EXPECT_GE(cells.MostNeighbours(), *std::max_element(neighbours.begin(), neighbours.end()));
-  // and no wild one
+  // The bound is not a wild one
   EXPECT_LE(cells.MostNeighbours(), 64 * static_cast<std::int64_t>(pack.Size()));
 }

@@ -21,7 +21,7 @@ double Smaller(const RadiusPair& p)
 
 TEST(SphereOverlap, SphereVolumeIsTheIntegralOfItsDiscs)
 {
-  // rounding of a quadrature of 113 points
+  // The rounding of a quadrature of 113 points
   EXPECT_NEAR(ruc::SphereVolume(1.7),
     oracle::Integrate(-1.7, 1.7, [](double z) { return oracle::Pi * (1.7 * 1.7 - z * z); }), 1e-12);
 }
@@ -33,8 +33,8 @@ TEST(SphereOverlap, LensVolumeIsTheIntegralOfTheLesserDisc)
     for (int n = 0; n <= 60; ++n)
     {
       const double t = 1.1 * (p.A + p.B) * n / 60.0;
-      // Simpson's rule is exact here; cancellation loses a few digits of the terms, of the size (a
-      // + b)^3.
+      // Simpson's rule is exact here. Cancellation loses a few digits of the terms, which are of
+      // the size (a + b)^3.
       EXPECT_NEAR(ruc::LensVolume(p.A, p.B, t), oracle::LensVolume(p.A, p.B, t),
         1e-13 * std::pow(p.A + p.B, 3))
         << t;
@@ -53,7 +53,7 @@ TEST(SphereOverlap, OverlapMomentIsTheIntegralOfTheLensVolume)
       const double t = 1.05 * s * n / 40.0;
       const double expected = oracle::Integrate(std::min(t, s), s, { std::abs(p.A - p.B) },
         [&](double u) { return u * oracle::LensVolume(p.A, p.B, u); });
-      // rounding of terms of the size (a + b)^5
+      // The rounding of terms of the size (a + b)^5
       EXPECT_NEAR(ruc::OverlapMoment(p.A, p.B, t), expected, 1e-13 * std::pow(s, 5)) << t;
       EXPECT_EQ(ruc::OverlapMoment(p.A, p.B, -t), ruc::OverlapMoment(p.A, p.B, t));
       EXPECT_NEAR(ruc::OverlapMomentSlope(p.A, p.B, t), -t * oracle::LensVolume(p.A, p.B, t),
@@ -122,8 +122,8 @@ TEST(SphereOverlap, SlopeIsTheDerivativeAfterTheDistance)
         const double expected = (ruc::OrientationAveragedOverlap(p.A, p.B, r, d + step).Value -
                                   ruc::OrientationAveragedOverlap(p.A, p.B, r, d - step).Value) /
           (2.0 * step);
-        // Central difference: the third derivative, or a jump of the second, times the step; and
-        // the values' rounding over it.
+        // The error of a central difference: the third derivative, or a jump of the second, times
+        // the step, and the rounding of the values over it
         const double scale = oracle::Pi * s * s;
         const double rounding = 1e-15 * std::pow(s, 5) / (2.0 * std::max(r, 0.1 * s) * d) / step;
         EXPECT_NEAR(ruc::OrientationAveragedOverlap(p.A, p.B, r, d).Slope, expected,

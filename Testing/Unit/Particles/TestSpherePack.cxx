@@ -128,7 +128,7 @@ TEST(SpherePack, EdgesExceedTheLargestDiameter)
     "BoxSize requires periodic edges");
   EXPECT_NO_THROW(ruc::ValidateWindow(
     pack, Window::MakeBox({ 0, 0.7, 0 }, { 4, 0.61, 4 }, { true, true, true })));
-  // A layer of spheres has no fractions: they were 22 and -79 where one was 0.01 thick
+  // A layer of spheres has no volume fractions: they would be 22 and -79 in one that is 0.01 thick
   EXPECT_SAYS(
     ruc::ValidateWindow(pack, Window::MakeBox({ 0, 0.7, 0 }, { 4, 0.6, 4 }, { true, false, true })),
     "The window requires edges longer than the largest sphere's diameter, 0.6, got a partly");
@@ -155,7 +155,7 @@ TEST(SpherePack, CanonicalOrderIsTheOrderOfTheKeys)
   SpherePack pack;
   for (int i = 0; i < 200; ++i)
   {
-    // few values, so that every later key decides some comparisons
+    // Few values, so that every later key decides some comparisons
     pack.X.push_back(std::floor(random(0, 3)));
     pack.Y.push_back(std::floor(random(0, 3)));
     pack.Z.push_back(std::floor(random(0, 3)));

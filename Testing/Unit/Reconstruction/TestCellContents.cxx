@@ -24,7 +24,7 @@ ruc::SpherePack Pack()
   return pack;
 }
 
-// F1 by its definition (11)
+// F1 by its definition, equation (11)
 double Difference(
   const ruc::CellContents& contents, const std::vector<double>& fractions, double edge)
 {
@@ -103,7 +103,8 @@ TEST(CellContents, ByNumberOfSpheres)
   {
     const ruc::CellContents contents = ruc::FindCellContents(ruc::SharePack(pack, Block), spheres);
     EXPECT_EQ(contents.NumberOfSpheres(), spheres);
-    // the contents of some one edge: the counts' shares of the pack's agree to their rounding
+    // The contents are those of some one edge: the counts' shares of the pack's agree to their
+    // rounding
     const double share = contents.Count[0] / 400.0;
     EXPECT_NEAR(contents.Count[1], 150 * share, 0.5 + 150 * 0.5 / 400);
     EXPECT_NEAR(contents.Count[2], 33 * share, 0.5 + 33 * 0.5 / 400);
@@ -124,7 +125,7 @@ TEST(CellContents, EveryModeNeedsASphere)
   EXPECT_SAYS(ruc::FindCellContents(ruc::SharePack(pack, Block), 8.0),
     "none of mode 3 (0.1024 in a cell of this size)");
   EXPECT_SAYS(ruc::FindCellContents(ruc::SharePack(pack, Block), 30), "none of mode 3");
-  // at twice the volume that rounds up to one sphere there is one
+  // At twice the volume that rounds up to one sphere there is one
   EXPECT_EQ(
     ruc::FindCellContents(ruc::SharePack(pack, Block), std::cbrt(15000.0 / 3.0)).Count[2], 1);
 }
@@ -145,7 +146,7 @@ TEST(CellContents, TheSizeTheMessageAdvisesWorks)
 
 TEST(CellContents, TheLargestSphereNeedsRoom)
 {
-  // four spheres of diameter 19 fill no more than a cell of about their own size
+  // Four spheres of diameter 19 fill no more than a cell of about their own size
   const ruc::SpherePack pack = oracle::RandomPack({ 4, 400 }, { 9.5, 0.1 }, Block, 17);
   EXPECT_SAYS(ruc::FindCellContents(ruc::SharePack(pack, Block), 13.0),
     "CellSize requires an edge longer than the largest sphere's diameter, 19");

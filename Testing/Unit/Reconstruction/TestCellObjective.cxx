@@ -22,7 +22,7 @@ CellContents Contents()
   return contents;
 }
 
-// Of another pack with the same contents
+// The target of another pack with the same contents
 TwoPointProbability Target(const ruc::LagGrid& lags)
 {
   const ruc::Window box = oracle::PeriodicCube(6.0);
@@ -61,7 +61,7 @@ TEST(CellObjective, AgreesWithTheFinerTablesOfThePairSum)
       const double exact = ruc::TwoPointDifference(
         target, ruc::SumPairs(Contents().MakePack(centres.data()), Contents().MakeBox(), lags));
       EXPECT_GT(exact, 0.01);
-      // tables of 1/4 of the smaller radius: 1e-3 of F2 is what the search asks of them
+      // The tables have knots 1/4 of the smaller radius apart; the search asks them for 1e-3 of F2
       EXPECT_NEAR(objective.Evaluate(centres.data(), nullptr).TwoPoint, exact, 1e-3 * exact)
         << relaxed;
     }
@@ -123,7 +123,7 @@ TEST(CellObjective, PenaltyIsTheSumOfSquaredOverlaps)
   objective.SetPenaltyWeight(2.5);
   const std::vector<double> centres = Centres(54, false);
   const ruc::SpherePack pack = Contents().MakePack(centres.data());
-  // mean radius, weighted by volume
+  // The mean radius, weighted by volume
   const double r = (12 * 1.0 + 28 * std::pow(0.6, 4)) / (12 * 1.0 + 28 * std::pow(0.6, 3));
   double expected = 0.0;
   oracle::ForEachPair(pack, Contents().MakeBox(), 2.0,
@@ -211,7 +211,7 @@ TEST(CellObjective, TranslationAndWholeEdgesChangeNothing)
       moved[i] += shift[i % 3] + 6.0 * std::floor(random(-3, 4));
     }
     const CellObjective::Terms other = objective.Evaluate(moved.data(), movedGradient.data());
-    // rounding of coordinates of ~20, 4e-15, on forces of ~10 between 1e4 pairs
+    // The rounding of coordinates of about 20, 4e-15, for forces of about 10 between 1e4 pairs
     EXPECT_NEAR(other.TwoPoint, terms.TwoPoint, 1e-10);
     EXPECT_NEAR(other.Penalty, terms.Penalty, 1e-10);
     for (std::size_t i = 0; i < moved.size(); ++i)

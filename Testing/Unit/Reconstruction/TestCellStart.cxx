@@ -27,7 +27,7 @@ void ExpectInCell(const ruc::CellContents& contents, const std::vector<double>& 
   }
 }
 
-// Counts in 8 bins of an axis are within 5 standard errors of equal
+// Expects that the counts in 8 bins of an axis are within 5 standard errors of equal
 void ExpectUniform(const std::vector<double>& values, double edge)
 {
   std::vector<int> counts(8, 0);

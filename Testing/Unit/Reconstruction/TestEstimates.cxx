@@ -12,7 +12,7 @@
 #include "ruc/Statistics/Sampling/FanSampling.h"
 #include "ruc/Statistics/Sampling/TemplateSampling.h"
 
-// Seconds are no matter of tests; how they grow with the work is.
+// Tests do not look at seconds, but at how they grow with the work
 namespace
 {
 ruc::PackFigures MakePack(double spheres, bool periodic)
@@ -75,7 +75,7 @@ TEST(Estimates, PairsOfAnEvenPackAreCounted)
     for (double distance : { 1.0, 2.5, 4.0 })
     {
       const auto [pairs, error] = CountPairs(pack, distance);
-      // Of N (N - 1) / 2 pairs, where the estimate takes N^2 / 2
+      // There are N (N - 1) / 2 pairs, where the estimate takes N^2 / 2
       EXPECT_NEAR(pack.PairsWithin(distance), pairs, 4.0 * error + pairs / pack.Spheres)
         << periodic << " " << distance;
     }

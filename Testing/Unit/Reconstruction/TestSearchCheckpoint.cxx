@@ -186,7 +186,7 @@ TEST(SearchCheckpoint, EveryFlippedBitIsRefused)
 
 TEST(SearchCheckpoint, AValueThatCannotBeIsRefused)
 {
-  // A byte that is forged together with the checksum; of two states that differ in it alone
+  // One byte is forged together with the checksum, found from two states that differ in it alone
   const auto forge = [](const std::string& a, const std::string& b, char value)
   {
     const std::size_t place = std::mismatch(a.begin(), a.end(), b.begin()).first - a.begin();

@@ -23,7 +23,7 @@ using ruc::ThreePointGrid;
 using ruc::ThreePointProbability;
 using ruc::Window;
 
-/** By one rank and one thread. */
+/** Samples on one rank and one thread. */
 inline ThreePointProbability Fans(const SpherePack& pack, int modes, const SamplingRegion& region,
   const ThreePointGrid& grid, const std::vector<PhaseTriple>& triples, const FanSettings& settings)
 {

@@ -63,7 +63,7 @@ void ExpectSameHits(std::vector<SphereHit> found, const std::vector<SphereHit>& 
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t n = 0; n < found.size(); ++n)
   {
-    // The root of a grazing line loses half of the digits
+    // The root for a grazing line loses half of the digits
     EXPECT_NEAR(found[n].In, expected[n].In, 1e-6);
     EXPECT_NEAR(found[n].Out, expected[n].Out, 1e-6);
     EXPECT_EQ(found[n].Mode, expected[n].Mode);

@@ -254,7 +254,7 @@ TEST(FanTracer, FindsWhatBruteForceFinds)
           {
             const auto [ray, in, out, mode] = sorted[n];
             EXPECT_EQ(ray, std::get<0>(expected[n]));
-            // The root of a grazing ray loses half of the digits
+            // The root for a grazing ray loses half of the digits
             EXPECT_NEAR(in, std::get<1>(expected[n]), 1e-6);
             EXPECT_NEAR(out, std::get<2>(expected[n]), 1e-6);
             EXPECT_EQ(mode, std::get<3>(expected[n]));

@@ -35,7 +35,8 @@ struct Mean
   }
 };
 
-// Within 4 standard errors; with some 40 such comparisons in this file one fails in 400 seeds.
+// Expects a mean within 4 standard errors; with some 40 such comparisons in this file, one fails in
+// 400 seeds
 void ExpectMean(const Mean& mean, double expected)
 {
   EXPECT_NEAR(mean.Value(), expected, 4.0 * mean.Error());
@@ -300,7 +301,7 @@ TEST(SamplingRegion, PeriodicLinesPassThroughTheBoxOnceAndThenTheLag)
   ExpectMean(same, 0.0);
 }
 
-// By chance one point in some ten million would meet them
+// By chance only one point in some ten million would meet them
 TEST(SamplingRegion, PointsOfARegionThatFillsLittleOfItsBounds)
 {
   const int n = 200;

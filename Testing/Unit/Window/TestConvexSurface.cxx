@@ -16,7 +16,7 @@ ruc::ConvexSurface Octahedron()
       { 0, 3, 5 } } };
 }
 
-// By the divergence theorem; negative where faces are seen clockwise from outside
+// The volume by the divergence theorem, negative where faces are seen clockwise from outside
 double Volume(const ruc::ConvexSurface& surface)
 {
   double volume = 0.0;
@@ -35,7 +35,7 @@ double Volume(const ruc::ConvexSurface& surface)
   return volume;
 }
 
-// Every edge is there once in each direction, so that the faces close and agree on the outside.
+// Expects every edge once in each direction, so that the faces close and agree on the outside
 void ExpectClosed(const ruc::ConvexSurface& surface)
 {
   std::set<std::pair<int, int>> edges;

@@ -27,7 +27,7 @@ void ExpectSampledCovariance(
   }
   const double volume = (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
   const double share = window.SetCovariance(d[0], d[1], d[2]) / volume;
-  // binomial: 4.5 standard errors, and one hit where the share is 0
+  // The standard error is binomial; 4.5 of them, and one hit where the share is 0
   EXPECT_NEAR(
     double(hits) / samples, share, 4.5 * std::sqrt(share * (1.0 - share) / samples) + 0.5 / samples)
     << d[0] << " " << d[1] << " " << d[2];

@@ -28,7 +28,7 @@ Chromosome Parent(std::uint64_t seed)
   return centres;
 }
 
-// Moved by less than half an edge either way
+// Expects genes that moved by less than half an edge either way
 double ShortestWay(double from, double to)
 {
   double way = to - from;
@@ -78,7 +78,7 @@ void ForManyChildren(const std::function<Chromosome(RandomSequence&)>& make,
   }
 }
 
-// The mean and the mean square of a uniform number, 1/2 and 1/3, in 5 standard errors
+// Expects the mean and the mean square of a uniform number, 1/2 and 1/3, within 5 standard errors
 void ExpectMomentsOfUniform(const std::vector<double>& samples)
 {
   const double n = samples.size();
@@ -94,7 +94,7 @@ void ExpectMomentsOfUniform(const std::vector<double>& samples)
   EXPECT_NEAR(squares / n, 1.0 / 3.0, 5.0 * std::sqrt((1.0 / 5.0 - 1.0 / 9.0) / n));
 }
 
-// Within 5 standard errors of a probability
+// Expects a share within 5 standard errors of a probability
 void ExpectShare(int count, int of, double probability)
 {
   EXPECT_NEAR(
@@ -257,7 +257,7 @@ TEST(GeneticOperators, ArithmeticCrossoversGoTheShortWayToTheOtherParent)
       {
         const double own = ShortestWay(x[k], child[k]) / ShortestWay(x[k], y[k]);
         share = share < 0.0 ? own : share;
-        // Rounding of coordinates of 7, over ways that may be short
+        // The rounding of coordinates of 7, over ways that may be short
         EXPECT_NEAR(own, share, 1e-14 * Edge / std::abs(ShortestWay(x[k], y[k])) + 1e-10);
       }
     }
@@ -277,7 +277,7 @@ TEST(GeneticOperators, ArithmeticCrossoversGoTheShortWayToTheOtherParent)
 TEST(GeneticOperators, HeuristicCrossoverGoesOnOverTheBetterParent)
 {
   const Chromosome better = Parent(1);
-  // Near the better one, so that the way over it is the short one
+  // Near the better one, so that the way beyond it is the short one
   Chromosome worse = better;
   oracle::Uniform place(3);
   for (double& c : worse)
@@ -358,7 +358,7 @@ TEST(AnnealedSelection, AcceptanceIsTheLogisticFunction)
   EXPECT_NEAR(ruc::AcceptanceProbability(0.4, 0.3, 0.1), 1.0 / (1.0 + std::exp(1.0)), 1e-12);
   EXPECT_EQ(ruc::AcceptanceProbability(1.0, 0.0, 1e-6), 0.0);
   EXPECT_EQ(ruc::AcceptanceProbability(0.0, 1.0, 1e-6), 1.0);
-  // A child and a parent exchanged: the probabilities add to 1
+  // With child and parent exchanged, the probabilities add up to 1
   EXPECT_NEAR(
     ruc::AcceptanceProbability(0.37, 0.3, 0.1) + ruc::AcceptanceProbability(0.3, 0.37, 0.1), 1.0,
     1e-15);

@@ -210,7 +210,7 @@ TEST(PopulationSearch, OnlyTheMatingPoolChangesInAGeneration)
 
 TEST(PopulationSearch, ChildrenAreTakenAsOftenAsTheTemperatureSays)
 {
-  // All are parents, and every child a cell at random
+  // All members are parents, and every child is a cell at random
   PopulationSettings settings = Annealed(150);
   settings.MatingPool = settings.Population;
   settings.OperatorWeights = { 0, 0, 0, 1, 0, 0, 0, 0 };

@@ -11,7 +11,7 @@
 
 namespace
 {
-// A cell too dense to be freed: a child is moved in vain for tens of thousands of steps
+// A cell that is too dense to be freed: a child is moved in vain for tens of thousands of steps
 struct JammedProblem
 {
   ruc::CellContents Contents = { { 16 }, { 1.0 }, std::cbrt(16 * 4.0 / 3.0 * oracle::Pi / 0.85) };
@@ -47,7 +47,7 @@ TEST(PopulationStops, ComeWithinTheFirstPopulation)
         EXPECT_TRUE(result.Best.Overlap.IsNone());
         EXPECT_GE(result.Before.Mean, result.Before.Minimum);
       });
-    EXPECT_EQ(asked, ranks); // once on each
+    EXPECT_EQ(asked, ranks); // once on each rank
   }
 }
 
@@ -63,7 +63,7 @@ TEST(PopulationStops, AskWithinAMemberAndWhileTheLastOverlapIsRemoved)
   for (int threads : { 1, 3 })
   {
     omp_set_num_threads(threads);
-    for (int stopAfter : { 3, 40, 2000 }) // questions: deposition, children
+    for (int stopAfter : { 3, 40, 2000 }) // questions, in the deposition or among children
     {
       int asked = 0, generation = 0;
       ruc::Communicator serial;
@@ -75,14 +75,14 @@ TEST(PopulationStops, AskWithinAMemberAndWhileTheLastOverlapIsRemoved)
             return ++asked < stopAfter;
           });
       EXPECT_EQ(asked, stopAfter);
-      EXPECT_LE(generation, 20); // hundreds of questions each
+      EXPECT_LE(generation, 20); // a generation has hundreds of questions
       EXPECT_EQ(result.Best.EndedBy, ruc::EndReason::Stopped);
       EXPECT_EQ(result.Best.Pack.Size(), 16u);
       EXPECT_FALSE(result.Best.Overlap.IsNone());
     }
   }
   omp_set_num_threads(1);
-  // No generation is wanted: all that is left is to free the best of the first population
+  // No generation is wanted, so only the best of the first population is left to be freed
   settings.MaximumGenerations = 0;
   settings.RandomShare = 1.0;
   int removing = 0;

@@ -19,7 +19,8 @@ inline void ExpectNear(
   }
 }
 
-// Radii of their own for all, by so little that it cannot matter: more types than the tables take
+// Gives all spheres radii of their own, different by so little that it cannot matter, so that there
+// are more types than the tables take
 inline ruc::SpherePack WithDistinctRadii(ruc::SpherePack pack)
 {
   for (std::size_t i = 0; i < pack.Size(); ++i)
@@ -29,6 +30,6 @@ inline ruc::SpherePack WithDistinctRadii(ruc::SpherePack pack)
   return pack;
 }
 
-// The documented error of the tables, 1e-6 of each S_rs, is taken as 1e-6 of the largest value it
-// has, c_r for r = s; the functions of two modes are no larger than the lesser c_r.
+// The documented error of the tables, 1e-6 of each S_rs, is taken as 1e-6 of its largest value,
+// which is c_r for r = s; the functions of two modes are no larger than the lesser c_r
 constexpr double TableError = 1e-6;

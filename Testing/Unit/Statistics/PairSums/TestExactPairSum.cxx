@@ -89,7 +89,7 @@ void ExpectNear(const std::vector<double>& values, const Expected& expected)
   for (std::size_t k = 0; k < values.size(); ++k)
   {
     EXPECT_NEAR(values[k], expected.Values[k], expected.Bound[k]) << "lag " << k;
-    // a bound that says something: a few thousandths of the largest value at the most
+    // The bound has to say something: it is a few thousandths of the largest value at the most
     EXPECT_LT(
       expected.Bound[k], 3e-3 * *std::max_element(expected.Values.begin(), expected.Values.end()))
       << "lag " << k;
@@ -137,7 +137,7 @@ TEST(ExactPairSum, OneSphereAloneIsItsOwnOverlap)
 
 TEST(ExactPairSum, OneSphereAndItsImages)
 {
-  // up to more than three edges
+  // Lags go up to more than three edges
   const Window box = ruc::Window::MakeBox({ 0, 0, 0 }, { 3.0, 3.5, 4.0 }, { true, true, true });
   SpherePack pack;
   pack.X = pack.Y = pack.Z = { 2.9 };
@@ -195,7 +195,7 @@ TEST(ExactPairSum, CubicLattices)
 
 TEST(ExactPairSum, ALatticeOfTwoCellsIsTheSameMedium)
 {
-  // identity: repeating the cell changes nothing
+  // Repeating the cell changes nothing
   const SpherePack one = Lattice({ { 0, 0, 0 }, { 0.5, 0.5, 0.5 } }, 2.0, 0.8);
   SpherePack four = one;
   for (std::size_t i = 0; i < 2; ++i)
@@ -352,7 +352,7 @@ TEST(ExactPairSum, AgreesWithRandomPointsAndDirections)
       for (int k = 1; k <= lags.Count; ++k)
       {
         const double expected = probability.S(r, s)[k];
-        // binomial; 4.5 standard errors for 54 comparisons
+        // The standard error is binomial; 4.5 of them for 54 comparisons
         EXPECT_NEAR(double(hits[3 * r + s][k]) / samples, expected,
           4.5 * std::sqrt(expected * (1 - expected) / samples) + 1e-9)
           << r << " " << s << " " << k;
@@ -375,8 +375,8 @@ TEST(ExactPairSum, TablesAndClosedFormAgree)
     {
       ExpectNear(direct.S(r, s), tabulated.S(r, s),
         TableError * std::min(direct.Fractions[r], direct.Fractions[s]));
-      // and the closed form is that of brute force, up to its fixed point; the tables are not, so
-      // the two take different ways
+      // The closed form is that of brute force, up to its fixed point; the tables are not, so that
+      // the two methods do take different ways
       const std::vector<double> expected = BruteForce(distinct, box, lags, r, s, false).Values;
       ExpectNear(direct.S(r, s), expected, FixedPointError);
       EXPECT_GT(LargestDifference(tabulated.S(r, s), expected), FixedPointError);
@@ -386,7 +386,7 @@ TEST(ExactPairSum, TablesAndClosedFormAgree)
 
 TEST(ExactPairSum, OverlappingSpheresCountTwice)
 {
-  // no claim about a medium, but the same sum
+  // This is no claim about a medium, but it is the same sum
   const Window box = oracle::PeriodicCube(5.0);
   SpherePack pack = oracle::RandomPack({ 20, 300 }, { 1.0, 0.4 }, box, 9);
   ruc::SortCanonically(pack);
@@ -421,7 +421,7 @@ void ExpectIndependentOfSharing(const SpherePack& pack, const Window& window, co
     oracle::ThreadRanks::Run(size,
       [&](ruc::Communicator& ranks)
       {
-        // One hands out what all hold
+        // One rank hands out what all hold
         const ruc::PackShare share =
           ruc::SharePack(ranks.Rank() == 0 ? pack : SpherePack(), window, true, ranks);
         EXPECT_TRUE(ruc::SumPairs(share, lags, ranks).Values == expected) << size;

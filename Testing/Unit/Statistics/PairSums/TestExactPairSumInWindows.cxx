@@ -66,8 +66,8 @@ void ExpectUnbiased(const Window& window, std::uint64_t seed, bool distinct)
         // 42 correlated comparisons with 39 degrees of freedom: with 3 standard errors one in five
         // fails by chance
         EXPECT_NEAR(mean, exact.S(r, s)[k], 4.0 * error) << r << " " << s << " lag " << k;
-        // what the test can see: a window that forgot gamma would be off by 1 - gamma / V, a third
-        // and more
+        // The test can see enough: a window that forgot gamma would be off by 1 - gamma / V, a
+        // third and more
         EXPECT_LT(error, 0.05 * exact.Fractions[r] + 1e-8);
       }
     }
@@ -141,8 +141,8 @@ TEST(ExactPairSum, WindowAgreesWithTheSumOverItsPairs)
 
 TEST(ExactPairSum, ManyRadiiInAWindowAgreeWithTheSumOverPairs)
 {
-  // A radius of its own for every sphere, large and small ones: the closed form in the fixed point
-  // of the largest volume
+  // Every sphere, large or small, has a radius of its own, so that the closed form is summed in the
+  // fixed point of the largest volume
   const Window window = Window::MakeBox({ 0, 0, 0 }, { 14, 15, 16 }, { false, false, false });
   SpherePack pack = oracle::RandomPack({ 1000, 100 }, { 0.3, 1.2 }, window, 9);
   oracle::Uniform random(3);
@@ -220,7 +220,7 @@ TEST(ExactPairSum, LargestLagIsStillExact)
       }
       const TwoPointProbability probability = ruc::SumPairs(inside, window, lags);
       SCOPED_TRACE(window.Describe() + ", share " + std::to_string(share));
-      // ten times the tables' error: few pairs of large weight do not average it out
+      // Ten times the error of the tables, as a few pairs of large weight do not average it out
       ExpectNear(probability.S(0, 0), expected, 10.0 * TableError * probability.Fractions[0]);
     }
   }

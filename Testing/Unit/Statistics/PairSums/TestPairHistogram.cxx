@@ -49,7 +49,7 @@ TEST(PairHistogram, FixedPointScaleCannotOverflow)
         EXPECT_EQ(std::exp2(std::round(std::log2(scale))), scale) << "no power of two";
         EXPECT_LE(scale * heaviest * spheres * neighbours, 0x1p62);
         EXPECT_LE(scale * heaviest, 0x1p50);
-        // and no factor of 4 is given away
+        // No factor of 4 is given away
         EXPECT_TRUE(4.0 * scale * heaviest * spheres * neighbours >= 0x1p62 ||
           4.0 * scale * heaviest >= 0x1p50);
       }

@@ -15,7 +15,7 @@ using ruc::SpherePack;
 using ruc::Window;
 
 using PhasePairs = std::vector<std::array<int, 2>>;
-// Of two modes; 2 is the matrix
+// All pairs of phases for two modes; 2 is the matrix
 const PhasePairs AllPairs = { { 0, 0 }, { 0, 1 }, { 1, 1 }, { 0, 2 }, { 1, 2 }, { 2, 2 } };
 
 ruc::ProbabilityMap Map(const SpherePack& pack, const Window& window, const PhasePairs& pairs,

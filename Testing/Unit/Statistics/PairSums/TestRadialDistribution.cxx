@@ -25,7 +25,7 @@ double Shell(const ruc::LagGrid& lags, int k)
   return 4.0 / 3.0 * oracle::Pi * (high * high * high - low * low * low);
 }
 
-// Two modes: (1,1), (1,2), (2,2) and, last, the total
+// The functions of two modes: (1,1), (1,2), (2,2) and, last, the total
 std::array<std::vector<double>, 4> BruteForce(
   const SpherePack& pack, const Window& window, const ruc::LagGrid& lags)
 {
@@ -37,7 +37,7 @@ std::array<std::vector<double>, 4> BruteForce(
     ++count[mode - 1];
   }
   const double all = count[0] + count[1];
-  // ordered pairs that there are
+  // The numbers of ordered pairs that there are
   const double number[4] = { count[0] * (count[0] - 1.0), count[0] * count[1],
     count[1] * (count[1] - 1.0), all * (all - 1.0) };
   oracle::ForEachPair(pack, window, (lags.Count + 0.5) * lags.Spacing,

@@ -34,7 +34,7 @@ TEST(OnePointProbability, IsTheShareOfRandomPoints)
   }
   for (int m = 0; m < 3; ++m)
   {
-    // binomial, 4.5 standard errors
+    // The standard error is binomial; 4.5 of them
     EXPECT_NEAR(double(hits[m]) / samples, fractions[m],
       4.5 * std::sqrt(fractions[m] * (1 - fractions[m]) / samples))
       << m;

@@ -70,7 +70,7 @@ TEST(ProbabilityComparison, TheMeanAndItsScatter)
   EXPECT_NEAR(mean.Mean.S(0, 1)[3], 30.0, 1e-14);
   EXPECT_NEAR(mean.Deviations[mean.Mean.PairOf(0, 1)][3], 10.0 * std::sqrt(7.0), 1e-13);
   EXPECT_EQ(mean.Deviations[mean.Mean.PairOf(0, 0)][3], 0.0);
-  // Of a single one
+  // A single cell has no scatter
   const ruc::MeanProbability one = ruc::AverageProbabilities({ cells[2] });
   EXPECT_EQ(one.Mean.Values, cells[2].Values);
   EXPECT_EQ(one.FractionDeviations[0], 0.0);

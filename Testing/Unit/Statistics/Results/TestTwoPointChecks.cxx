@@ -68,7 +68,7 @@ TEST(TwoPointChecks, SaturationLengthOfAnExponential)
     for (double length : { 0.5, 1.0, 3.0 })
     {
       const double exact = -std::log(tolerance / std::max(length, 1.0));
-      // the next lag above; the discrete slope is off by spacing^2 / 6, relatively
+      // It is the next lag above; the discrete slope is off by spacing^2 / 6, relatively
       EXPECT_NEAR(ruc::SaturationLength(values, spacing, 0.2, tolerance, length),
         exact + 0.5 * spacing, 0.5 * spacing + 1e-4);
     }
@@ -157,7 +157,7 @@ TEST(RequireProbabilities, RefusesWhatCannotBe)
     ruc::RequireProbabilities(with(0, 0, 1, std::numeric_limits<double>::quiet_NaN()), 0.01),
     "got nan for S_1_1");
   EXPECT_NO_THROW(ruc::RequireProbabilities(with(0, 1, 1, 0.03), 0.04));
-  // All that sums to each fraction, but the fractions not to 1
+  // Everything adds up to each fraction, but the fractions do not add up to 1
   ruc::TwoPointProbability half = Independent();
   for (std::vector<double>& values : half.Values)
   {

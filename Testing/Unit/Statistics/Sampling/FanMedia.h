@@ -38,11 +38,11 @@ inline std::vector<Medium> Media()
     { "empty", SpherePack(), SamplingRegion(periodic, 0.0), 0.5 } };
 }
 
-/** Of two modes and the matrix; two of them are another one with s and q swapped. */
+/** Triples of two modes and the matrix; two of them are another one with s and q swapped. */
 inline const std::vector<PhaseTriple> Triples = { { 0, 0, 0 }, { 2, 2, 2 }, { 0, 1, 2 },
   { 1, 2, 0 }, { 1, 0, 2 }, { 2, 1, 1 }, { 0, 2, 1 } };
 
-/** The same number, or none both. */
+/** Expects the same number, or none from both. */
 inline void ExpectSame(double a, double b, const char* what, std::size_t triple, std::size_t place)
 {
   EXPECT_TRUE(a == b || (std::isnan(a) && std::isnan(b)))

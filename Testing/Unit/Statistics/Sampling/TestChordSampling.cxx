@@ -29,14 +29,14 @@ SampledTwoPoint Chords(const SpherePack& pack, int modes, const SamplingRegion& 
 
 TEST(ChordSampling, AgreesWithTheExactSumOfAPeriodicPack)
 {
-  // 0.5 times as long a box along the last axis, lags beyond its edge
+  // The box is half as long along the last axis, and lags reach beyond its edge
   const Window box = Window::MakeBox({ -3, 1, 2 }, { 8.0, 6.0, 4.0 }, { true, true, true });
   const SpherePack pack = oracle::RelaxedPack({ 12, 20 }, { 0.9, 0.5 }, box, 3);
   const LagGrid lags = { 0.25, 20 };
   const SampledTwoPoint sampled = Chords(pack, 2, SamplingRegion(box, 0.0), lags, 6400);
   ExpectWithinErrors(sampled, ruc::SumPairs(pack, box, lags), 5.0);
   EXPECT_NEAR(sampled.Samples, 6400.0, 640.0); // rows and columns of lines are whole numbers
-  // Of the errors the sum over all pairs is what it is said to be.
+  // The total error is the sum over all pairs that it is said to be
   double total = 0.0;
   for (int r = 0; r < 3; ++r)
   {
@@ -128,7 +128,7 @@ protected:
     }
   }
 
-  // With the images on all sides
+  // The pack with its images on all sides
   template <class RegionAt>
   void ExpectSameMean(RegionAt&& regionAt) const
   {
@@ -297,7 +297,7 @@ TEST(ChordSampling, FractionsAlone)
   const double fraction = 20.0 * 4.0 / 3.0 * Pi * 0.343 / 125.0;
   EXPECT_NEAR(sampled.Mean.Fractions[0], fraction, 4.0 * sampled.FractionErrors[0]);
   EXPECT_EQ(sampled.TotalError, sampled.FractionErrors[0] + sampled.FractionErrors[1]);
-  // Nothing there at all: the matrix alone, known exactly
+  // Without any sphere there is the matrix alone, known exactly
   const SampledTwoPoint empty = Chords({}, 0, SamplingRegion(box, 0.0), { 0.5, 3 }, 100);
   EXPECT_EQ(empty.Mean.S(0, 0), std::vector<double>(4, 1.0));
 }

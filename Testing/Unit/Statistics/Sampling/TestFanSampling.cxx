@@ -39,7 +39,7 @@ int PhaseAt(const SpherePack& pack, int modes, const SamplingRegion& region, con
   return lowest;
 }
 
-// What the template counts of a triple: N_b and D_b of every throw
+// What the template counts for a triple: N_b and D_b of every throw
 struct PlainCounts
 {
   std::vector<std::vector<std::int64_t>> Found, Inside;

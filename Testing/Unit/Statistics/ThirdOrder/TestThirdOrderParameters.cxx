@@ -56,7 +56,7 @@ ThirdOrderParameters Evaluate(
     ThirdOrderRule(grid).Integrate(fraction, [&](std::size_t place) { return s3[place]; }));
 }
 
-// Of a function on a grid what is at every step-th lag, up to a lag; a grid with its function
+// Takes from a function on a grid what is at every step-th lag, up to a lag
 struct Sampled
 {
   ThreePointGrid Grid;
@@ -360,7 +360,7 @@ TEST(ThirdOrderRule, OverlappingSpheres)
     const double matrix = 1.0 - 0.1 * (n + 1), rho = -std::log(matrix) / (4.0 / 3.0 * Pi);
     const auto [zeta, eta] = model.Parameters(
       matrix, [&](double volume, double, double, double) { return std::exp(-rho * volume); });
-    // A unit of the last digit published, too, which is itself from quadrature
+    // A unit of the last digit published is added, which is itself from quadrature
     EXPECT_NEAR(1.0 - zeta.Value, zetas[n], 0.001 + zeta.Error) << matrix;
     EXPECT_LT(zeta.Error, 0.0025);
     if (etas[n] > 0.0)
@@ -370,7 +370,7 @@ TEST(ThirdOrderRule, OverlappingSpheres)
     EXPECT_LT(eta.Error, 0.0025);
     if (n % 4 == 2)
     {
-      // The spheres by their own S_3, by inclusion and exclusion
+      // The spheres' parameters from their own S_3, by inclusion and exclusion
       const auto two = [&](double r)
       { return std::exp(-rho * (8.0 / 3.0 * Pi - oracle::LensVolume(1.0, 1.0, r))); };
       const auto [zeta2, eta2] = model.Parameters(1.0 - matrix,

@@ -15,7 +15,7 @@ TEST(ThreePointLimits, AreEquation10)
     { 2, 2, 2 }, { 0, 1, 2 } };
   const ruc::ThreePointProbability probability = ruc::SampleFans(
     pack, 2, ruc::SamplingRegion(box, 0.0), grid, triples, { 1, 200, true }, serial);
-  // Any functions do, to tell them apart
+  // Any functions serve, as long as they can be told apart
   ruc::TwoPointProbability twoPoint(2, grid.Lags);
   for (int pair = 0; pair < twoPoint.Pairs(); ++pair)
   {

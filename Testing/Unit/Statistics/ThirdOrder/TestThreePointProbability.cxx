@@ -118,7 +118,7 @@ void ExpectLimits(const Medium& medium)
           EXPECT_EQ(all.S(r, s, q, k, k, 0), s == q ? all.S(r, r, s, 0, k, 0) : 0.0);
           greatest = std::max(greatest, rq);
         }
-        // Both: c_r
+        // At both it is c_r
         EXPECT_EQ(all.S(r, s, q, 0, 0, t), r == s && r == q ? all.S(r, r, r, 0, 0, 0) : 0.0);
       }
     });
@@ -170,7 +170,7 @@ TEST(ThreePointProbability, SumOverAPhase)
 
 TEST(ThreePointProbability, AgreesWithTheExactPairSum)
 {
-  // Where it is S_rs: at r2 = 0, and summed over q at any r2 and angle. 9 pairs at 6 lags.
+  // It is S_rs at r2 = 0, and summed over q at any r2 and angle. There are 9 pairs at 6 lags.
   const Periodic& medium = PeriodicMedium();
   const TwoPointProbability exact = ruc::SumPairs(medium.Pack, medium.Box, medium.Grid.Lags);
   for (int r = 0; r < 3; ++r)

@@ -27,7 +27,8 @@ TEST(ThreeSpheres, UnionHasItsClosedForms)
     {
       EXPECT_NEAR(oracle::UnionOfThree(a, d, 0.0, theta), 2.0 * sphere - lens(d), 1e-14);
       EXPECT_NEAR(oracle::UnionOfThree(a, 0.0, d, theta), 2.0 * sphere - lens(d), 1e-14);
-      // And nearly so: a volume changes by no more than the surface times the displacement
+      // The same where they nearly coincide: a volume changes by no more than the surface times the
+      // displacement
       EXPECT_NEAR(oracle::UnionOfThree(a, d, 1e-9, theta), 2.0 * sphere - lens(d), 1e-8);
     }
   }
@@ -105,7 +106,7 @@ TEST(ThreeSpheres, UnionAgreesWithQuadrature)
             return 2.0 * std::sqrt(height2);
           });
       });
-    // Both to rounding, through sums of cancelling terms of the order of 10
+    // Both agree to rounding, through sums of cancelling terms of the order of 10
     EXPECT_NEAR(oracle::UnionOfThree(a, r1, r2, theta), volume, 1e-12)
       << r1 << " " << r2 << " " << theta;
   }
