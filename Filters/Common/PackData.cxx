@@ -34,7 +34,7 @@ vtkDataArray* FindNumbers(vtkPointSet* input, const char* name)
   return FindArray(input->GetPointData(), name, 0);
 }
 
-// Without points that have no size (FindPiece)
+// Leaves out points that have no size (FindPiece)
 void LeavePointsOut(ruc::SpherePack& pack, double leastDiameter)
 {
   const auto isPoint = [&](double radius)

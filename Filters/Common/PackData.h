@@ -41,9 +41,9 @@ struct SharedPack : PackOrigin
 
 /**
  * Returns this rank's piece of the pack and the window of the whole pack (FindOrigin). `Mode` is
- * required and read only `withModes`. Points of a radius from 0 to less than ruc::LeastLength are
- * left out where their diameter is below `leastDiameter`. Warns of centres that were moved into a
- * periodic box, and of a window that the centres do not fill. Collective.
+ * required and read only `withModes`. Points with a radius from 0 to less than ruc::LeastLength are
+ * left out if their diameter is below `leastDiameter`. The warnings tell of centres that were moved
+ * into a periodic box, and of a window that the centres do not fill. Collective.
  *
  * Throws std::invalid_argument, the same on every rank, where an array is missing or not of the
  * form required, and as FindOrigin and ruc::CheckedPiece do.
@@ -79,8 +79,7 @@ vtkDataArray* FindArray(vtkFieldData* arrays, const char* name, vtkIdType count)
  */
 vtkDataArray* RequireArray(vtkPointSet* input, const char* name);
 
-/** Returns whether any rank's piece has a point array of that name that is of numbers. Collective.
- */
+/** Returns whether any rank's piece has a numeric point array of that name. Collective. */
 bool HasArray(vtkPointSet* input, const char* name, RankCommunicator& ranks);
 
 /**

@@ -28,7 +28,7 @@ namespace
 {
 using ruc::Text;
 
-// A block, and which of its points are spheres
+// A block, and the numbers of those of its points that are spheres
 struct Block
 {
   vtkPointSet* Points;
@@ -57,7 +57,7 @@ Block FindSpheres(vtkPointSet* points)
   return block;
 }
 
-// The blocks first, then what holds them
+// Returns the blocks, and after them the data sets that hold them
 std::vector<vtkDataObject*> FindParts(vtkDataObject* input)
 {
   std::vector<vtkDataObject*> parts, holders;
@@ -76,7 +76,7 @@ std::vector<vtkDataObject*> FindParts(vtkDataObject* input)
   return parts;
 }
 
-// Null unless all blocks have the array with a value for every point
+// Returns null unless all blocks have the array with a value for every point
 vtkSmartPointer<vtkAbstractArray> MergeArrays(const std::vector<Block>& blocks, const char* name)
 {
   vtkAbstractArray* first = nullptr;
@@ -153,7 +153,7 @@ bool AreEqual(vtkAbstractArray* a, vtkAbstractArray* b)
   return equal;
 }
 
-// The first array of every name
+// Adds the first array of every name
 void AddFields(vtkFieldData* fields, vtkFieldData* merged)
 {
   for (int n = 0; n < fields->GetNumberOfArrays(); ++n)
@@ -176,7 +176,7 @@ void AddFields(vtkFieldData* fields, vtkFieldData* merged)
 
 void PackInput::Accept(vtkInformation* portInformation)
 {
-  // The pipeline looks at the first type alone when it decides whether to go through the blocks
+  // The pipeline looks only at the first type when it decides whether to go through the blocks
   portInformation->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   portInformation->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
   portInformation->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
@@ -207,7 +207,7 @@ vtkSmartPointer<vtkPointSet> PackInput::FindHere(vtkDataObject* input)
   }
   if (blocks.size() > 1)
   {
-    merged->GetFieldData()->RemoveArray("NumberOfSpheres"); // of a block
+    merged->GetFieldData()->RemoveArray("NumberOfSpheres"); // it is that of one block
   }
   if (blocks.empty())
   {

@@ -11,25 +11,28 @@ class RankCommunicator;
 class vtkInformation;
 
 /**
- * The door through which packs come in: whatever the input is made of, every filter gets one point
- * set a rank.
+ * Takes packs in: whatever the input is made of, every filter gets one point set on each rank.
  *
- * - Composite data sets (multiblock, partitioned, grouped) are one pack: the points of all blocks,
- *   with the arrays that all blocks with points have, and the field data of the blocks and of what
- *   holds them. Blocks must agree on window and length unit.
+ * - A composite data set (multiblock, partitioned, grouped) is one pack: the points of all blocks,
+ *   with the arrays that all blocks with points have, and the field data of the blocks and of the
+ *   data sets that hold them. Blocks must agree on the window and the unit of length.
  * - Points that `vtkGhostType` marks as duplicate or hidden are no spheres and are left out.
  */
 namespace PackInput RUCCOMMON_EXPORT
 {
-/** Lets a port take point sets and composite data sets of them, of which the pipeline then makes
- * one request instead of one a block; and several of them, of which the filter then says that it
- * takes one (vtkRUCParallelAlgorithm::RequireOne). */
+/**
+ * Lets a port take point sets and composite data sets of them. The pipeline then makes one request
+ * for all blocks instead of one for each. The port lets several inputs in, so that the filter can
+ * say that it takes only one (vtkRUCParallelAlgorithm::RequireOne).
+ */
 void Accept(vtkInformation* portInformation);
 
-/** This rank's points of an input, null where there is none. Throws std::invalid_argument where a
- * block is no point set, and where blocks do not agree. */
+/**
+ * Returns this rank's points of an input, or null if there is none. Throws std::invalid_argument if
+ * a block is no point set, and if blocks do not agree.
+ */
 vtkSmartPointer<vtkPointSet> FindHere(vtkDataObject* input);
 
-/** Collective: the same; throws on all ranks where one does. */
+/** The same, but throws on all ranks if it throws on one. Collective. */
 vtkSmartPointer<vtkPointSet> Find(vtkDataObject* input, RankCommunicator& ranks);
 }

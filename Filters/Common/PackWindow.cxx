@@ -94,7 +94,7 @@ ruc::Window WindowOfProperties(const WindowProperties& p)
 ruc::Window BoundsOfCentres(const ruc::SpherePack& piece, RankCommunicator& ranks)
 {
   const std::vector<double>* axes[3] = { &piece.X, &piece.Y, &piece.Z };
-  double bounds[6]; // the least of every axis, and minus the greatest
+  double bounds[6]; // the least coordinates along every axis, and minus the greatest
   std::fill_n(bounds, 6, std::numeric_limits<double>::infinity());
   for (int q = 0; q < 3; ++q)
   {
@@ -126,8 +126,8 @@ ruc::Window BoundsOfCentres(const ruc::SpherePack& piece, RankCommunicator& rank
 
 namespace
 {
-// Of n independent centres a fraction of about (n - 1) / (n + 1) of each edge lies between the
-// outermost
+// Warns of the bounds taken as window. The outermost of n independent centres are about a fraction
+// (n - 1) / (n + 1) of each edge apart
 std::string NoWindowWarning(const ruc::Window& bounds, double spheres)
 {
   const double edge = (spheres + 1.0) / (spheres - 1.0);

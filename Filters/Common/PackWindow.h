@@ -13,20 +13,23 @@ class RankCommunicator;
 class vtkDataObject;
 class vtkPointSet;
 
-/** Windows and units as field data and properties. */
+/** Windows and units of length, as field data and as properties. */
 namespace PackData RUCCOMMON_EXPORT
 {
-/** Where a pack was observed. */
+/** Where a pack was observed, and in what unit. */
 struct PackOrigin
 {
-  ruc::Window Observed;     // of its centres
+  ruc::Window Observed;     // the region in which its centres were observed
   std::string WindowSource; // "Input", "Properties" or "Bounds of the centres"
   std::string LengthUnit;
-  /** Sentences about what makes the result another than wanted, the same on all ranks. */
+  /** Sentences that warn that the result may not be the one wanted, the same on all ranks. */
   std::vector<std::string> Warnings;
 };
 
-/** What a filter's own properties say of the window; sizes of 0 leave it to the pack. */
+/**
+ * What the properties of a filter say of the window. Where all sizes are 0, the window is left to
+ * the pack.
+ */
 struct WindowProperties
 {
   double BoxOrigin[3] = { 0.0, 0.0, 0.0 };
@@ -36,33 +39,43 @@ struct WindowProperties
   double CylinderAxis[3] = { 0.0, 0.0, 1.0 };
   double CylinderRadius = 0.0;
   double CylinderHeight = 0.0;
-  bool Crop = false; // leave spheres outside the window out
+  bool Crop = false; // whether spheres with centres outside the window are left out
 
+  /** Returns whether a size of the box is not 0. */
   bool HasBox() const;
+  /** Returns whether the radius or the height of the cylinder is not 0. */
   bool HasCylinder() const;
+  /** Returns whether the properties set a window. */
   bool HasAny() const;
 };
 
-/** What this rank alone knows of the window: by its field data, else the properties, else nothing.
- * Throws std::invalid_argument for fields and properties that make no window. */
+/**
+ * Returns the window as this rank alone knows it: by the field data, else by the properties, else
+ * nothing. Throws std::invalid_argument for fields and properties that make no window.
+ */
 std::optional<ruc::Window> FindWindowHere(vtkPointSet* input, const WindowProperties& properties);
 
 /**
- * Collective: where the pack was observed, of which this rank has `piece`: by the field data of any
- * rank, else the properties, else the bounds of the centres, with a warning. Throws
- * std::invalid_argument, the same on every rank, where ranks have different windows, and where the
- * bounds have no volume.
+ * Returns where the pack was observed, of which this rank has `piece`: by the field data of any
+ * rank, else by the properties, else, with a warning, by the bounds of the centres. Throws
+ * std::invalid_argument, the same on every rank, for fields and properties that make no window, if
+ * ranks have different windows, and if the bounds have no volume. Collective.
  */
 PackOrigin FindOrigin(vtkPointSet* input, const WindowProperties& properties,
   const ruc::SpherePack& piece, RankCommunicator& ranks);
 
-/** Collective: the field `LengthUnit` of the lowest rank that has one, or an empty text. */
+/** Returns the field `LengthUnit` of the lowest rank that has one, or an empty text. Collective. */
 std::string FindLengthUnit(vtkDataObject* data, RankCommunicator& ranks);
 
-/** `BoxOrigin`, … or `CylinderBase`, …, in the form that FindOrigin reads. */
+/**
+ * Adds the window as field data, `BoxOrigin`, … or `CylinderBase`, …, in the form that FindOrigin
+ * reads.
+ */
 void AddWindow(vtkDataObject* data, const ruc::Window& window);
 
-/** Whether the blocks of one pack have to agree on a field of this name: the fields of a window,
- * and `LengthUnit`. */
+/**
+ * Returns whether the blocks of one pack must agree on a field of this name: the fields of a
+ * window, and `LengthUnit`.
+ */
 bool IsOfWholePack(const std::string& field);
 }

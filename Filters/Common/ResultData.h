@@ -30,7 +30,7 @@ void AddField(vtkDataObject* data, const char* name, const std::vector<double>& 
 void AddField(vtkDataObject* data, const char* name, const std::vector<long long>& values);
 void AddField(vtkDataObject* data, const char* name, const std::string& text);
 
-/** The name of the field data of an output that is empty because a run was refused: the reason. */
+/** The name of the field data that gives the reason why an output is empty: a run was refused. */
 constexpr const char* RefusalField = "Refusal";
 
 /** Adds the field data `WindowSource`, `LengthUnit` and `PluginVersion`. */
@@ -50,10 +50,11 @@ void AddPackSummary(vtkDataObject* data, const PackOrigin& origin, std::int64_t 
  */
 constexpr double TolerableOverlap = 0.01;
 /**
- * Above this overlap, in percent of the spheres' volume, radii are not what they are meant to be.
- * Packs of simulations and images overlap by up to 0.2 %, and by 2 to 6 % where all their radii are
- * 5 to 10 % too large. With diameters as radii a dense pack overlaps by 170 % and more, and a random
- * one whose spheres truly take the fraction c of the window by about 210 c %: 10 % at c = 0.05.
+ * Above this overlap, in percent of the spheres' volume, the radii are most likely not what they
+ * should be. Packs of simulations and images overlap by up to 0.2 %, and by 2 to 6 % if all their
+ * radii are 5 to 10 % too large. If diameters are taken as radii, a dense pack overlaps by 170 %
+ * and more; a random one whose spheres truly take the fraction c of the window overlaps by about
+ * 210 c %, which is 10 % at c = 0.05.
  */
 constexpr double MostOverlap = 10.0;
 

@@ -21,7 +21,7 @@
 
 namespace
 {
-// What is wrong with a pack that cannot be, as the end of a sentence; empty where nothing is
+// Returns what is wrong with a pack that cannot exist, as the end of a sentence, or an empty text
 std::string DescribeImpossible(double fraction, double overlapPercent)
 {
   constexpr const char* advice =

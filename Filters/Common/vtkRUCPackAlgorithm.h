@@ -133,8 +133,8 @@ protected:
 
   ///@{
   /**
-   * Do what the functions of these names in PackData do, with the filter's window, and tell what
-   * they warn of. A share has modes. Collective.
+   * These do what the functions of the same names in PackData do, with the filter's window, and
+   * print the warnings. A share has modes. Collective.
    */
   PackData::PackPiece FindPiece(
     vtkPointSet* input, bool withModes, RankCommunicator& ranks, double leastDiameter = 0.0);
@@ -143,14 +143,18 @@ protected:
   ///@}
 
   /**
-   * Returns the overlap of a pack in percent of the spheres' volume. Volumes that add up to that of
-   * the window or more, and an overlap above PackData::MostOverlap, are no pack of spheres but most
-   * likely diameters taken as radii. An `exact` result, a sum over spheres in which overlaps count
-   * twice, is refused then (std::invalid_argument) and warned of above PackData::TolerableOverlap;
-   * any other is warned of. Collective.
+   * Returns the overlap of a pack in percent of the spheres' volume. If the volumes of the spheres
+   * add up to that of the window or more, or the overlap is above PackData::MostOverlap, diameters
+   * have most likely been taken as radii. An `exact` result, a sum over spheres in which overlaps
+   * count twice, is then refused (std::invalid_argument), and comes with a warning if the overlap
+   * is above PackData::TolerableOverlap. Any other result comes with a warning in the first case
+   * alone. Collective.
    */
   double CheckOverlap(const ruc::PackShare& share, bool exact, RankCommunicator& ranks);
-  /** Warns of the same by the volumes alone; `volume` is that of all spheres. */
+  /**
+   * Warns of the same by the volumes alone. `volume` is that of all spheres, `ofWindow` that of the
+   * window.
+   */
   void WarnOfVolume(double volume, double ofWindow, const RankCommunicator& ranks);
 
   /**

@@ -74,7 +74,8 @@ std::vector<vtkDataObject*> FindInputs(vtkInformationVector** inputs, int ports)
   return found;
 }
 
-// Why an input is empty that a filter or reader of this plugin has refused to make; else empty
+// Returns why an input is empty that a filter or reader of this plugin has refused to make, or an
+// empty text
 std::string FindRefusal(const std::vector<vtkDataObject*>& inputs)
 {
   std::string refusal;
@@ -187,7 +188,7 @@ vtkRUCParallelAlgorithm::Cause vtkRUCParallelAlgorithm::FindCause(vtkInformation
 
 bool vtkRUCParallelAlgorithm::WasTold(vtkInformationVector** inputs, RankCommunicator& ranks)
 {
-  // The pipeline asks again and again for an image that has not the extent announced
+  // The pipeline asks again and again for an image that does not have the extent announced
   std::int64_t changed = this->Refused != this->FindCause(inputs);
   ranks.Sum(&changed, 1);
   const std::string upstream =

@@ -4,10 +4,10 @@
  * @class vtkRUCParallelAlgorithm
  * @brief What all filters of this plugin have in common: ranks and errors
  *
- * Whatever is wrong with the input or a property is found on all ranks alike, reported once, in one
- * line, and leaves every output empty but for the field data `Refusal`, which tells why; no rank
- * hangs. An input with such field data is refused without a word, since its cause was told where it
- * was found. A filter with several outputs runs once for all of them.
+ * Whatever is wrong with the input or a property is found on all ranks alike and reported once, in
+ * one line. Every output is then empty but for the field data `Refusal`, which gives the reason,
+ * and no rank hangs. An input with such field data is refused without a message, since the cause
+ * was reported where it was found. A filter with several outputs runs once for all of them.
  */
 #ifndef vtkRUCParallelAlgorithm_h
 #define vtkRUCParallelAlgorithm_h
@@ -28,7 +28,7 @@ class RUCCOMMON_EXPORT vtkRUCParallelAlgorithm : public vtkDataObjectAlgorithm
 public:
   vtkTypeMacro(vtkRUCParallelAlgorithm, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  /** The label, with which messages begin. */
+  /** Returns the label, with which messages begin. */
   std::string GetObjectDescription() const override { return this->GetLabel(); }
 
   ///@{
@@ -48,15 +48,17 @@ protected:
 
   /**
    * Fills the outputs, on all ranks together. Throws std::invalid_argument, the same on every rank,
-   * for bad input, which is not asked again before input or properties change. The outputs are
-   * empty at the start and are emptied again after an error. A table is filled on rank 0 alone; the
-   * other ranks then get its columns, without rows.
+   * for bad input; the filter then does not run again before its input or a property changes. The
+   * outputs are empty at the start and are emptied again after an error. A table is filled on rank
+   * 0 alone; the other ranks then get its columns, without rows.
    */
   virtual void Execute(
     vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks) = 0;
 
-  /** Throws std::invalid_argument where a port has several inputs. The pipeline lets them in where
-   * the port is repeatable; if it is not, the filter never runs and its outputs stay as they were.
+  /**
+   * Throws std::invalid_argument if a port has several inputs. The pipeline lets these in only if
+   * the port is repeatable; otherwise the filter would never run, and its outputs would stay as
+   * they were.
    */
   static void RequireOne(vtkInformationVector* inputsOfPort, const char* port, const char* what);
 
@@ -73,17 +75,18 @@ private:
   vtkRUCParallelAlgorithm(const vtkRUCParallelAlgorithm&) = delete;
   void operator=(const vtkRUCParallelAlgorithm&) = delete;
 
-  // What a run is made of: the filter and its inputs, with the times of their last changes
+  // The filter and its inputs, with the times of their last changes
   using Cause = std::vector<std::pair<const void*, vtkMTimeType>>;
   Cause FindCause(vtkInformationVector** inputs);
-  // Collective: whether the run need not be tried, since the same one, or an input, was refused
+  // Returns whether the run need not be tried, because the same one, or an input, was refused.
+  // Collective
   bool WasTold(vtkInformationVector** inputs, RankCommunicator& ranks);
-  // Leaves nothing in the outputs but the reason, where there is one
+  // Leaves nothing in the outputs but the reason, if there is one
   void ClearOutputs(vtkInformationVector* outputs);
 
   vtkMultiProcessController* Controller = nullptr;
-  Cause Refused;       // of the last run, where that was refused
-  std::string Refusal; // and why
+  Cause Refused;       // the cause of the last run, if that was refused
+  std::string Refusal; // the reason
 };
 
 #endif

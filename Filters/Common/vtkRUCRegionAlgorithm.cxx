@@ -35,7 +35,7 @@ int vtkRUCRegionAlgorithm::FillInputPortInformation(int port, vtkInformation* in
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1); // MakeRegion says that it takes one
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1); // MakeRegion refuses more than one
   return 1;
 }
 

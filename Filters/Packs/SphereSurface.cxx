@@ -24,7 +24,7 @@ void MakeSphere(const ruc::Vector3& centre, double radius, int resolution, vtkPo
   sphere->SetThetaResolution(resolution);
   sphere->SetPhiResolution(resolution / 2 + 1);
   sphere->GenerateNormalsOff(); // they would be wrong on the cut faces
-  // Copies of a sphere are to have the same cuts on opposite faces
+  // Copies of a sphere must have the same cuts on opposite faces
   sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   sphere->Update();
   surface->ShallowCopy(sphere->GetOutput());
@@ -47,8 +47,9 @@ ruc::ConvexSurface ToConvex(vtkPolyData* surface)
   return convex;
 }
 
-// Faces of more than three corners around their middle: a cut meets the diagonal of two facets in
-// one plane, and has three corners on a line there, which make no triangle
+// Divides faces of more than three corners into triangles around their middle. A cut meets the
+// diagonal of two facets in one plane, and has three corners on a line there, which would make no
+// triangle
 void FillTriangles(const ruc::ConvexSurface& convex, vtkPolyData* surface)
 {
   vtkNew<vtkPoints> points;
@@ -121,7 +122,7 @@ void SphereSurface::Fill(const ruc::Vector3& centre, double radius, const ruc::W
   ruc::ConvexSurface cut;
   for (int q = 0; q < 3; ++q)
   {
-    for (int side : { 1, -1 }) // above the lower face, below the upper one
+    for (int side : { 1, -1 }) // keeps what is above the lower face, and below the upper one
     {
       const double face = side > 0 ? box.Origin[q] : box.Origin[q] + box.Size[q];
       if (box.Periodic[q] && side * (centre[q] - face) < radius)

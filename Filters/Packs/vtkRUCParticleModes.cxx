@@ -30,14 +30,14 @@ namespace
 const char* const MethodNames[] = { "Equal Width", "Equal Volume", "Explicit Edges",
   "One Per Size" };
 
-// The points of the input that have a mode and, with `crop`, lie in the window; with all their
-// arrays, where the checked piece has them
+// Outputs the points of the input that have a mode and, with `crop`, lie in the window; with all
+// their arrays, at the places that the checked piece gives them
 void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::CheckedPiece& piece,
   bool crop, vtkPolyData* output)
 {
   vtkDataArray* radius = PackData::RequireArray(input, "Radius");
   vtkNew<vtkPoints> points;
-  // Float numbers may be outside again
+  // Rounded to float, the centres may be outside again
   points->SetDataType(piece.NumberMoved() > 0 ? VTK_DOUBLE : input->GetPoints()->GetDataType());
   vtkNew<vtkCellArray> vertices;
   vtkNew<vtkIntArray> mode;
@@ -70,7 +70,7 @@ void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::
   output->SetPoints(points);
   output->SetVerts(vertices);
   output->GetPointData()->AddArray(mode);
-  output->GetPointData()->SetActiveScalars("Mode"); // which views colour by
+  output->GetPointData()->SetActiveScalars("Mode"); // views colour by it
 }
 
 void FillTable(const ruc::ParticleModes& modes, double volume, vtkTable* table)
@@ -158,8 +158,8 @@ void vtkRUCParticleModes::AddSummary(
   PackData::AddField(data, "Method", std::string(MethodNames[this->Method]));
   PackData::AddField(data, "NumberOfSpheres", std::vector<long long>{ spheres });
   PackData::AddOrigin(data, origin);
-  // Bounds of the centres are a fallback for the table's fractions, not a window to hand on as
-  // observed
+  // The bounds of the centres are a fallback for the table's fractions. They are no observed
+  // window, so they are not handed on
   if (origin.WindowSource != "Bounds of the centres")
   {
     PackData::AddWindow(data, origin.Observed);

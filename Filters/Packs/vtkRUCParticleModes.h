@@ -4,12 +4,13 @@
  * @class vtkRUCParticleModes
  * @brief Sorts the spheres of a pack into modes, classes of particle size
  *
- * Input: a sphere pack (vtkRUCPackAlgorithm). Output 0: the same points, where they were, with the
- * point array `Mode` (int, 1 to the number of modes, by ascending diameter), without the spheres
- * below MinimumDiameter. Output 1, whole on rank 0: the table `Mode`, `Count`, `MinimumDiameter`,
+ * Input: a sphere pack (vtkRUCPackAlgorithm). Output 0: the same points on the same ranks, without
+ * the spheres below MinimumDiameter, with the point array `Mode` (int, 1 to the number of modes, by
+ * ascending diameter). Output 1, whole on rank 0: the table `Mode`, `Count`, `MinimumDiameter`,
  * `MaximumDiameter`, `VolumeMeanDiameter` ((sum d^3 / Count)^(1/3)), `VolumeFraction`.
  *
- * Modes that would be empty are left out and the others numbered through, with a warning.
+ * Modes that would be empty are left out, with a warning, and the others are numbered without a
+ * gap.
  */
 #ifndef vtkRUCParticleModes_h
 #define vtkRUCParticleModes_h
@@ -49,20 +50,23 @@ public:
   vtkGetMacro(Method, int);
   ///@}
   ///@{
-  /** Modes wanted by EQUAL_WIDTH and EQUAL_VOLUME, 1 to 256. Default: 9. */
+  /** The number of modes wanted by EQUAL_WIDTH and EQUAL_VOLUME, 1 to 256. Default: 9. */
   vtkSetMacro(NumberOfModes, int);
   vtkGetMacro(NumberOfModes, int);
   ///@}
   ///@{
-  /** For EXPLICIT_EDGES: ascending diameters; mode i holds edge i <= d < edge i + 1, the last mode
-   * its upper edge as well. */
+  /**
+   * The edges for EXPLICIT_EDGES: 2 to 257 ascending diameters >= 0, between which the diameters of
+   * all spheres lie that MinimumDiameter keeps. Mode i holds edge i <= d < edge i + 1, the last
+   * mode its upper edge as well. Default: none.
+   */
   void ClearEdges();
   void SetEdge(int i, double diameter);
   int GetNumberOfEdges() const { return static_cast<int>(this->Edges.size()); }
   double GetEdge(int i) const { return this->Edges[i]; }
   ///@}
   ///@{
-  /** Spheres of a smaller diameter, such as debris, are left out. Default: 0, keep all. */
+  /** Spheres of a smaller diameter, such as debris, are left out. Default: 0, which keeps all. */
   vtkSetMacro(MinimumDiameter, double);
   vtkGetMacro(MinimumDiameter, double);
   ///@}

@@ -68,7 +68,7 @@ Copies TileAll(const ruc::SpherePack& pack, const ruc::Window& box, const std::a
   return TakeCopies(once, box, ruc::Tiling(pack, tiles), { 1, 1, 1 });
 }
 
-// This rank's part
+// Returns this rank's part
 Copies ShareOf(const Copies& all, const RankCommunicator& ranks)
 {
   Copies own;
@@ -96,7 +96,7 @@ void FillPoints(const Copies& copies, vtkPolyData* output)
   output->GetPointData()->AddArray(images);
 }
 
-// Every sphere whose facets, with corners at `scale` radii, reach into the block
+// Returns every sphere and image whose facets, with corners at `scale` radii, reach into the block
 Copies TakeCopiesOfFacets(
   const Copies& all, const ruc::Window& block, double scale, const std::array<int, 3>& tiles)
 {
@@ -108,7 +108,7 @@ Copies TakeCopiesOfFacets(
   return TakeCopies(all, block, ruc::BoundaryCopies(corners, block), tiles);
 }
 
-// Every point of a surface takes the arrays of its centre
+// Makes the surfaces. Every point of a surface takes the arrays of its centre
 void FillSurfaces(
   const Copies& copies, const ruc::Window& box, int resolution, double scale, vtkPolyData* output)
 {
@@ -136,7 +136,7 @@ void FillSurfaces(
   }
 }
 
-// The twelve edges of every tile
+// Makes the twelve edges of every tile
 void FillOutline(const ruc::Window& box, const std::array<int, 3>& tiles, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -261,7 +261,8 @@ void vtkRUCPeriodicReplicas::AddSummary(const PackData::ObservedPack& observed,
       std::vector<long long>{ static_cast<long long>(observed.Pack.Size()) });
     PackData::AddField(
       data, "NumberOfCopies", std::vector<long long>{ static_cast<long long>(copies) });
-    // Copies beyond the box are no pack in it; a whole tiling is one again
+    // Boundary copies get no window, as some lie outside the box; a whole tiling is a pack in its
+    // block
     PackData::AddOrigin(data, observed);
     if (this->Mode == TILING)
     {
@@ -278,7 +279,7 @@ std::optional<ruc::Estimate> vtkRUCPeriodicReplicas::MakeEstimate()
   const vtkSmartPointer<vtkPointSet> input = PackInput::FindHere(this->GetInputDataObject(0, 0));
   const vtkIdType points = input ? input->GetNumberOfPoints() : 0;
   const double spheres = static_cast<double>(std::max(points, this->GetKnownSpheres()));
-  // At the border of a box about as many again
+  // Boundary copies may be about as many as the spheres
   const double tiles = this->Mode == TILING
     ? static_cast<double>(this->Tiles[0]) * this->Tiles[1] * this->Tiles[2]
     : 2.0;

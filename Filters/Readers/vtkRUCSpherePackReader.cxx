@@ -36,12 +36,12 @@ int vtkRUCSpherePackReader::RequestData(
   {
     this->Read(output);
   }
-  catch (const std::exception& e) // memory that is not there, too
+  catch (const std::exception& e) // also where there is not enough memory
   {
     output->Initialize();
     vtkErrorMacro(<< "Sphere Pack Reader, FileName '" << this->FileName << "': " << e.what());
   }
-  // Not a failed request: the other ranks, which read nothing, would wait for this one in the
+  // The request does not fail: the other ranks, which read nothing, would wait for this one in the
   // filters downstream.
   return 1;
 }

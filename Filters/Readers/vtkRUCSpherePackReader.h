@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRUCSpherePackReader
- * @brief Reads a table of spheres, one a line, as a sphere pack
+ * @brief Reads a table of spheres, one in each line, as a sphere pack
  *
- * The text has columns separated by commas, semicolons, tabs or blanks, with or without a header;
- * see Core/Geometry/SpherePackText.h for what is accepted and what is refused, with the line's
- * number.
+ * The text has columns separated by commas, semicolons, tabs or blanks, with or without a header.
+ * Core/Formats/SpherePackText.h says what is accepted, and what is refused with the number of the
+ * line.
  *
- * Output: points (double) with vertex cells and the arrays `Radius` (double), `Id` (place in the
- * file from 0, or the column "id") and, where the file has such a column, `Mode` (int). With
- * `BoxSize` set the window becomes field data of the pack; where an axis is periodic, rows that
- * only repeat a sphere in a neighbouring image of the box are left out, counted in the field data
- * `NumberOfGhosts` and told in a warning.
+ * Output: points (double) with vertex cells and the arrays `Radius` (double), `Id` (the place in
+ * the file from 0, or the column "id") and, if the file has such a column, `Mode` (int). With
+ * `BoxSize` the window becomes field data of the pack, and every centre must lie in it. If an axis
+ * is periodic, rows that only repeat a sphere in a neighbouring image of the box are left out; the
+ * field data `NumberOfGhosts` and a warning give their number.
  *
- * The file is read on rank 0, which holds the whole output. A file that cannot be read gives an
- * error and an empty output, which every filter of this plugin refuses on all ranks.
+ * Rank 0 reads the file and holds the whole output. A file that cannot be read gives an error and
+ * an empty output, which every filter of this plugin refuses on all ranks.
  */
 #ifndef vtkRUCSpherePackReader_h
 #define vtkRUCSpherePackReader_h
@@ -34,32 +34,39 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The file, on the machine of rank 0. */
+  /** The file to read, on the machine of rank 0. */
   vtkSetStdStringFromCharMacro(FileName);
   vtkGetCharFromStdStringMacro(FileName);
   ///@}
-  /** Whether it is a regular file that can be opened; its contents are not looked at. */
+  /**
+   * Returns whether the name leads to a regular file that can be opened. Its contents are not
+   * looked at.
+   */
   static int CanReadFile(const char* fileName);
 
   ///@{
-  /** Name or 1-based number of the column of radii. Default: empty, found by name, the fourth
-   * without a header. */
+  /**
+   * The name, or the number counted from 1, of the column with the radius. Default: empty; the
+   * column is then found by name, and is the fourth in a text without header.
+   */
   vtkSetStdStringFromCharMacro(RadiusColumn);
   vtkGetCharFromStdStringMacro(RadiusColumn);
   ///@}
   ///@{
-  /** The column holds diameters. Default: off. (A column found by the name "diameter" is taken as
-   * such.) */
+  /**
+   * Whether that column holds diameters. A column that is found by the name of a diameter always
+   * does. Default: off.
+   */
   vtkSetMacro(RadiusIsDiameter, bool);
   vtkGetMacro(RadiusIsDiameter, bool);
   ///@}
   ///@{
-  /** Factor for coordinates and radii, > 0. Default: 1. */
+  /** A factor for coordinates and radii, > 0. Default: 1. */
   vtkSetMacro(Scale, double);
   vtkGetMacro(Scale, double);
   ///@}
   ///@{
-  /** Lines at the start of the file that are passed over. Default: 0. */
+  /** The number of lines at the start of the file that are passed over. Default: 0. */
   vtkSetMacro(SkipLines, int);
   vtkGetMacro(SkipLines, int);
   ///@}
@@ -69,7 +76,7 @@ public:
   vtkGetCharFromStdStringMacro(LengthUnit);
   ///@}
   ///@{
-  /** The window of the centres, in the scaled unit; edges of 0 (the default) set none. */
+  /** The window of the centres, in the unit after scaling. Edges of 0 (the default) set none. */
   vtkSetVector3Macro(BoxOrigin, double);
   vtkGetVector3Macro(BoxOrigin, double);
   vtkSetVector3Macro(BoxSize, double);

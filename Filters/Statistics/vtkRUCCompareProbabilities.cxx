@@ -217,7 +217,7 @@ int vtkRUCCompareProbabilities::FillInputPortInformation(int port, vtkInformatio
 {
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  // Execute says that the first takes one, and that the second is required
+  // Execute says that the first port takes one input, and that the second is required
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
   return 1;

@@ -30,7 +30,8 @@ void vtkRUCRadialDistribution::Execute(
 {
   ProgressReport report(this, this->GetLabel());
   const PackData::SharedPack pack = this->FindShare(input, ranks);
-  const double overlap = this->CheckOverlap(pack.Share, false, ranks); // centres alone
+  // Overlaps do not count twice here, as only centres count
+  const double overlap = this->CheckOverlap(pack.Share, false, ranks);
   const ruc::LagGrid lags = MeasuredLags::Find(this->MaximumLag, this->NumberOfLags, pack.Share);
   const ruc::RadialDistribution distribution =
     ruc::MeasureRadialDistribution(pack.Share, lags, ranks, report.ForPairs(ranks));

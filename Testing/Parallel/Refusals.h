@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Bad input gives one error, on rank 0, that names the filter, the array or property, what is
- * required and what was got, in one line without an address; every output is empty on every rank
- * but for the reason, and no rank waits for another.
+ * Helpers of the claim that bad input gives one error, on rank 0, that names the filter, the array
+ * or property, what is required and what was got, in one line without an address; that every output
+ * is empty on every rank but for the reason; and that no rank waits for another.
  */
 #pragma once
 
@@ -58,14 +58,14 @@ inline bool IsEmpty(vtkAlgorithm* filter)
   return empty;
 }
 
-/** What an output tells of why it is empty. */
+/** Returns the reason that an output gives for being empty. */
 inline std::string RefusalOf(vtkDataObject* data)
 {
   vtkAbstractArray* why = data->GetFieldData()->GetAbstractArray("Refusal");
   return why ? why->GetVariantValue(0).ToString() : "";
 }
 
-/** A text that holds all parts. */
+/** Expects that a text holds all parts. */
 inline void ExpectParts(const std::string& text, const std::vector<std::string>& parts)
 {
   for (const std::string& part : parts)
@@ -74,8 +74,10 @@ inline void ExpectParts(const std::string& text, const std::vector<std::string>&
   }
 }
 
-/** The filter has refused its input with one error that holds all parts, however often its outputs
- * are asked for. */
+/**
+ * Expects that the filter has refused its input with one error that holds all parts, however often
+ * its outputs are asked for.
+ */
 inline void ExpectRefusal(
   vtkAlgorithm* filter, const Errors& errors, const std::vector<std::string>& parts)
 {
@@ -93,7 +95,7 @@ inline void ExpectRefusal(
   }
 }
 
-/** What makes a good input bad; what is not set leaves it as it is. */
+/** What makes a good input bad. What is not set leaves it as it is. */
 template <class Filter>
 struct Spoils
 {
@@ -104,9 +106,8 @@ struct Spoils
 };
 
 /**
- * The filter takes a pack, and refuses it once it is spoiled.
- *
- * `parts` are in the message; `configure` sets the filter up before it takes the good pack.
+ * Expects that the filter takes a pack, and refuses it once it is spoiled. `parts` are in the
+ * message; `configure` sets the filter up before it takes the good pack.
  */
 template <class Filter>
 void Refuses(const std::vector<std::string>& parts, const Spoils<Filter>& spoils,
@@ -145,7 +146,7 @@ void Refuses(const std::vector<std::string>& parts, const Spoils<Filter>& spoils
   ExpectRefusal(filter, errors, parts);
 }
 
-/** The same for spheres, the data set that holds them, and the filter's settings. */
+/** The same for spheres, for the data set that holds them, and for the filter's settings. */
 template <class Filter>
 void RefusesPack(
   const std::vector<std::string>& parts, const std::function<void(ruc::SpherePack&)>& spoil)

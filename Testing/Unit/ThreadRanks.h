@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/** @file Ranks within one process, for testing what ranks do together without MPI. */
+/**
+ * @file
+ * Ranks within one process, for testing what ranks do together without MPI.
+ */
 
 #include "ruc/Base/Communicator.h"
 #include "ruc/Particles/SpherePack.h"
@@ -20,7 +23,7 @@
 
 namespace oracle
 {
-/** What the ranks share: a barrier and a place for each one's data. */
+/** What the ranks share: a barrier, and a place for the data of each. */
 class ThreadRanks
 {
 public:
@@ -33,8 +36,10 @@ public:
   {
   }
 
-  /** Runs work(communicator) as every rank at once; rethrows what the lowest rank threw. All or
-   * none must throw. */
+  /**
+   * Runs work(communicator) as every rank at once, and rethrows what the lowest rank threw. Either
+   * all ranks or none must throw.
+   */
   static void Run(int size, const std::function<void(ruc::Communicator&)>& work)
   {
     // With the thread sanitizer, Clang's OpenMP reads what belongs to the thread that came first to
@@ -87,7 +92,7 @@ private:
     {
       this->Reduce(this->Shared.Integers, values, count, [](auto a, auto b) { return a + b; });
     }
-    using ruc::Communicator::Sum; // of doubles
+    using ruc::Communicator::Sum; // the sum of doubles
     void Minimum(std::int32_t* values, std::size_t count) override
     {
       std::vector<std::int64_t> wide(values, values + count);

@@ -24,7 +24,7 @@ constexpr std::size_t LongestLine = 65536;
   throw std::invalid_argument(Text("Line ", line, ": ", what));
 }
 
-// The place of the first byte that is not UTF-8, or npos
+// The place of the first byte that is not UTF-8, or of a null byte; npos where there is none
 std::size_t FindBadByte(std::string_view text)
 {
   for (std::size_t i = 0; i < text.size();)
@@ -73,7 +73,7 @@ std::string_view TrimField(std::string_view field)
   return field;
 }
 
-// ' ' stands for any run of blanks
+// Returns the separator, where ' ' stands for any run of blanks
 char FindSeparator(std::string_view line)
 {
   for (char separator : { ';', '\t', ',' })
@@ -138,7 +138,7 @@ struct Columns
 {
   int X = 0, Y = 1, Z = 2, Radius = 3, Mode = -1, Id = -1;
   bool Diameter = false;
-  std::size_t Count = 0; // of fields a row
+  std::size_t Count = 0; // the number of fields in a row
   std::vector<std::string> Names;
 
   std::string Name(int column) const
@@ -295,7 +295,7 @@ std::int64_t Integer(std::size_t line, const std::vector<std::string_view>& fiel
   return static_cast<std::int64_t>(value);
 }
 
-// A line without blanks around it; empty where it is to be passed over
+// Returns a line without the blanks around it, or an empty text where it is to be passed over
 std::string_view CheckLine(std::size_t number, std::string_view line)
 {
   if (line.size() > LongestLine)

@@ -10,16 +10,22 @@
 
 namespace ruc
 {
+/** How a text is read. */
 struct SpherePackTextSettings
 {
-  /** Lines at the start of the text that are passed over unread. */
+  /** The number of lines at the start of the text that are passed over unread. */
   int SkipLines = 0;
-  /** Name or 1-based number of the column with the radius; empty: found by name, the fourth column
-   * without a header. */
+  /**
+   * The name, or the number counted from 1, of the column with the radius. Where it is empty, the
+   * column is found by name, and is the fourth in a text without header.
+   */
   std::string RadiusColumn;
-  /** The column holds diameters. */
+  /**
+   * Whether that column holds diameters. A column that is found by the name of a diameter always
+   * does.
+   */
   bool RadiusIsDiameter = false;
-  /** Multiplies every coordinate and radius. */
+  /** A factor for every coordinate and radius; finite and > 0. */
   double Scale = 1.0;
 };
 
@@ -27,26 +33,28 @@ struct SpherePackTextSettings
 struct SpherePackText
 {
   SpherePack Pack;
-  std::vector<std::size_t> Line; // of every sphere, counted from 1
+  std::vector<std::size_t> Line; // the line of every sphere, counted from 1
 
-  /** Appends the i-th sphere of another table. */
+  /** Appends the i-th sphere of another text. */
   void Append(const SpherePackText& other, std::size_t i);
 };
 
 /**
- * Reads a table of spheres: one a line, columns separated by commas, semicolons, tabs or blanks,
- * decimal point. Blank lines and lines that begin with # are passed over; fields may be in double
- * quotes, without separators inside.
+ * Reads a table of spheres, one in each line. Columns are separated by semicolons, tabs, commas or
+ * blanks, whichever of these the first line holds, in this order; the decimal mark is a point.
+ * Blank lines and lines that begin with # are passed over. Fields may be in double quotes, without
+ * separators inside.
  *
  * The first line is a header if any of its fields is not a number. Then the columns are found by
- * name, in any case: x, y, z (also Points:0, Points_0, …), the radius as "radius", "r" or "rad", or
- * its double as "diameter", "d" or "diam"; "mode" and "id" are read where they exist. Without a
- * header the columns are x, y, z, radius.
+ * name, in upper or lower case: x, y, z (or Points:0, Points_0, …), the radius as "radius", "r" or
+ * "rad", or the diameter as "diameter", "d" or "diam"; "mode" and "id" are read where they exist.
+ * Without a header the columns are x, y, z and radius.
  *
- * Throws std::invalid_argument that names the line and the column for: no spheres, a missing
- * column, a row with more or fewer fields than the first, text in a number, numbers that are not
- * finite, a radius <= 0, a mode or id that is no whole number, a line over 64 KiB, bytes that are
- * not UTF-8.
+ * Throws std::invalid_argument that names the line, and the column where there is one, for: no
+ * spheres, a missing column, a row with more or fewer fields than the first, text in place of a
+ * number, numbers that are not finite, a radius <= 0, a mode or id that is no whole number, a line
+ * over 64 KiB, and bytes that are not UTF-8; also for a scale that is not finite and > 0, or makes
+ * a number infinite or a radius 0.
  */
 SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettings& settings);
 }

@@ -38,7 +38,7 @@ CheckedPiece::CheckedPiece(
   ranks.Sum(&outside, 1);
   ranks.ThrowIfAny(
     example.empty() ? example : OutsideMessage(window, outside, this->Total, example));
-  double largest = -this->Piece.LargestRadius(); // of all ranks, for one message
+  double largest = -this->Piece.LargestRadius(); // minus the largest radius of all ranks
   ranks.Minimum(&largest, 1);
   ranks.ThrowIfAny(FindNarrowEdge(-largest, window));
 }

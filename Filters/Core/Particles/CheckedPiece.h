@@ -13,34 +13,40 @@ namespace ruc
 /**
  * One rank's piece of a pack, which may be empty, after every check that needs no other rank's
  * spheres: the pack has spheres, their numbers are in range, their centres lie in the window, and
- * it has room for the largest of them. Whoever takes one need not check that again.
+ * the window has room for the largest of them. Whoever takes one need not check that again.
  */
 class CheckedPiece
 {
 public:
-  /** Finds the window of the whole pack from this rank's spheres, whose numbers were checked. It is
-   * called on all ranks together and throws on all or on none. */
+  /**
+   * Finds the window of the whole pack from this rank's spheres, whose numbers were checked. It is
+   * called on all ranks together, and must throw on all or on none.
+   */
   using WindowFinder = std::function<Window(const SpherePack& piece)>;
 
   /**
-   * Collective. `Mode` is checked only `withModes`. Centres outside the window along a periodic
-   * axis are moved into it (MoveIntoBox). With `crop`, spheres with centres outside it still are
-   * left out, else they are an error. Throws std::invalid_argument, the same on every rank.
+   * Checks a piece. `Mode` is checked only if `withModes`. Centres outside the window along a
+   * periodic axis are moved into it (MoveIntoBox). With `crop`, spheres with centres that are still
+   * outside are left out; otherwise they are an error. Throws std::invalid_argument, the same on
+   * every rank. Collective.
    */
   CheckedPiece(SpherePack piece, bool withModes, const WindowFinder& findWindow, bool crop,
     Communicator& ranks);
 
-  /** The same with a window that is known. */
+  /** The same with a known window. */
   CheckedPiece(SpherePack piece, const Window& window, bool withModes, Communicator& ranks);
 
   const SpherePack& Spheres() const { return this->Piece; }
-  /** The spheres, which leave this object. */
+  /** Moves the spheres out of this object. */
   SpherePack Take() { return std::move(this->Piece); }
   const Window& Observed() const { return this->ObservedIn; }
-  /** On all ranks together. */
+  /** Returns the number of spheres on all ranks together. */
   std::int64_t NumberOfSpheres() const { return this->Total; }
-  /** Of them were outside the window along a periodic axis. */
+  /**
+   * Returns how many of them were outside the window along a periodic axis, and were moved into it.
+   */
   std::int64_t NumberMoved() const { return this->Moved; }
+  /** Returns whether `Mode` was checked. */
   bool WithModes() const { return this->Modes; }
 
 private:

@@ -14,8 +14,9 @@ namespace
 {
 constexpr std::array<double, 4> SpheresPerCell = { 2.0, 4.0, 8.0, 16.0 };
 
-// Places in a window as coordinates from 0 to 1, of which equal steps are equal volumes: along the
-// axes of a box; of a cylinder the square of the distance from the axis, the angle, the height
+// Places in a window as coordinates from 0 to 1, whose equal steps are equal volumes. In a box they
+// go along its axes; in a cylinder they are the square of the distance from the axis, the angle and
+// the height
 class UnitCube
 {
 public:
@@ -63,7 +64,7 @@ public:
     return place;
   }
 
-  // About the lengths of the coordinates
+  // Returns about the lengths of the coordinates
   Vector3 Edges() const
   {
     return this->Of.GetShape() == Window::Shape::Box
@@ -71,7 +72,8 @@ public:
       : Vector3{ this->Of.Radius, Pi * this->Of.Radius, this->Of.Height };
   }
 
-  // Cells along them; of many rings of one area the outer ones would be thin
+  // Returns the most cells along each coordinate. Of many rings of equal area the outer ones would
+  // be thin
   Vector3 MostCells() const
   {
     return { this->Of.GetShape() == Window::Shape::Box ? 16.0 : 2.0, 16.0, 16.0 };
@@ -79,7 +81,7 @@ public:
 
 private:
   const Window& Of;
-  Vector3 Across, Beside; // axes of a cylinder's base
+  Vector3 Across, Beside; // the axes of a cylinder's base
 };
 
 class Cells
@@ -101,7 +103,8 @@ public:
     return std::size_t(this->Number[0]) * this->Number[1] * this->Number[2];
   }
 
-  // Adds 1 for the cell of the centre, and those that lie in a sphere larger than they are
+  // Adds 1 for the cell of the centre, and for every cell that lies in a sphere larger than the
+  // cell
   void Add(const Vector3& centre, double radius, const Window& window, std::int64_t* filled) const
   {
     const Vector3 unit = this->Cube.To(centre);
@@ -151,7 +154,7 @@ private:
   double Width = GreatestLength;
 };
 
-// (sum v)^2 / sum v^2 of all ranks
+// Returns (sum v)^2 / sum v^2 of all ranks
 double EvenNumber(const SpherePack& piece, Communicator& ranks)
 {
   double sums[2] = { 0.0, 0.0 };

@@ -107,7 +107,7 @@ void WrapIntoBox(SpherePack& pack, const Window& box);
  * edges away is left where it is, since its place in the box would be rounding.
  */
 bool MoveIntoBox(Vector3& centre, const Window& box);
-/** Does the same for all centres and returns how many were moved. */
+/** The same for all centres; returns how many were moved. */
 std::int64_t MoveIntoBox(SpherePack& pack, const Window& box);
 
 /** Returns x, y, z of every sphere in one list. */

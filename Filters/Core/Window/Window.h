@@ -63,7 +63,7 @@ public:
    */
   bool Contains(const Vector3& centre) const;
 
-  /** The same of a box along one of its axes. */
+  /** The same for a box, along one of its axes. */
   bool ContainsAlong(int axis, double coordinate) const;
 
   /**

@@ -164,7 +164,7 @@ TEST(FileRefusals, LargerThanMemory)
   if (Rank() == 0)
   {
     std::ofstream(name).put('x');
-    std::filesystem::resize_file(name, std::uintmax_t(1) << 42); // without blocks on the disk
+    std::filesystem::resize_file(name, std::uintmax_t(1) << 42); // it takes no blocks on the disk
   }
   RefusesFile(name, "a quarter of this machine's memory, got 4.39805e+06 MB");
   std::remove(Rank() == 0 ? name.c_str() : "");
@@ -172,6 +172,7 @@ TEST(FileRefusals, LargerThanMemory)
 
 TEST(FileRefusals, ReadError)
 {
-  // Regular, and no byte of it can be read: the memory at address 0 of this process
+  // The file is regular, but no byte of it can be read: it is the memory at address 0 of this
+  // process
   RefusesFile("/proc/self/mem", "can be read to its end is required, got: Input/output error");
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said at the door of packs that are likely not what they are meant to be
+// What filters say of packs that are likely not what they are meant to be
 #include "Refusals.h"
 
 #include "RankCommunicator.h"
@@ -28,7 +28,7 @@ vtkSmartPointer<vtkPolyData> DataOf(const ruc::SpherePack& pack, bool periodic =
   return MakePolyData(pack, Edge, periodic, IsMine);
 }
 
-// What makes a filter quick and silent
+// Makes a filter quick and silent
 template <class Filter>
 void Prepare(Filter*)
 {
@@ -56,7 +56,7 @@ void Prepare(vtkRUCUnitCellReconstruction* filter)
   filter->SetMaximumIterations(2);
 }
 
-// The warnings of a filter, which takes the data
+// Returns the warnings of a filter, which takes the data
 template <class Filter>
 std::vector<std::string> WarningsOf(
   vtkPolyData* data, const std::function<void(Filter*)>& configure = {})
@@ -85,7 +85,7 @@ void ExpectOne(const std::vector<std::string>& warnings, const std::vector<std::
   }
 }
 
-// For every filter that looks at the spheres of a pack
+// Does it for every filter that looks at the spheres of a pack
 template <class Check>
 void ForEachFilter(Check&& check)
 {
@@ -157,7 +157,7 @@ TEST(PackDoor, ACutPackIsToldWithBothVolumes)
     {
       const auto warnings = WarningsOf<FilterOf<decltype(f)>>(DataOf(LeftHalf()));
       ExpectOne(warnings, { "the centres fill only a volume of about ", " of the window's 1728" });
-      // A cell of 16 spheres on average is 3.8 wide, so that 3 to 6 layers cross the box
+      // A cell with 16 spheres on average is 3.8 wide, so that 3 to 6 layers cross the box
       const std::string about = "about ";
       for (const std::string& text : warnings)
       {
@@ -180,7 +180,7 @@ TEST(PackDoor, AMissingWindowIsTold)
 
 TEST(PackDoor, CentresOutsideAPeriodicBoxMakeNoDifference)
 {
-  // Numbers with few digits, so that whole edges are added and taken off without rounding
+  // The numbers have few digits, so that whole edges are added and taken off without rounding
   ruc::SpherePack inside = FewSizes();
   for (std::vector<double>* axis : { &inside.X, &inside.Y, &inside.Z })
   {
@@ -206,7 +206,7 @@ TEST(PackDoor, CentresOutsideAPeriodicBoxMakeNoDifference)
     vtkTable::SafeDownCast(a->GetOutputDataObject(0)));
   ExpectOne(warnings.Texts, { "100 of 600 centres lay outside the periodic box", "were moved" });
 
-  // Particle Modes hands them on where they were moved to, and says so once
+  // Particle Modes hands the spheres on where they were moved to, and says so once
   vtkNew<vtkRUCParticleModes> modes;
   Prepare(modes.Get());
   modes->SetInputData(DataOf(outside));
@@ -223,7 +223,8 @@ TEST(PackDoor, CentresOutsideAPeriodicBoxMakeNoDifference)
   EXPECT_EQ(points, 600);
 }
 
-// 200 spheres of each of the radii 0.4, 0.5 and 0.6 in 12^3: with diameters pi / 2
+// 200 spheres of each of the radii 0.4, 0.5 and 0.6 in a cube of edge 12; with diameters as radii
+// they take pi / 2 of it
 TEST(PackDoor, DiametersAsRadiiAreRefusedByExactSums)
 {
   const std::vector<std::string> parts = { "Exact sums require spheres with volumes that add up to "
@@ -301,7 +302,7 @@ TEST(PackDoor, PointsWithoutSizeAreLeftOutByMinimumDiameter)
 {
   ruc::SpherePack pack = FewSizes();
   pack.Radius[5] = pack.Radius[300] = 0.0;
-  pack.X[5] = 17.0 * Edge; // where it is does not matter
+  pack.X[5] = 17.0 * Edge; // its place does not matter
   vtkNew<vtkRUCParticleModes> modes;
   Prepare(modes.Get());
   const Errors errors(modes);

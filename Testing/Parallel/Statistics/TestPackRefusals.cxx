@@ -57,7 +57,7 @@ TEST(PackRefusals, NoRadiusOnOneRank)
     });
 }
 
-// An array of so many values, whatever number of points it belongs to
+// An array of `count` values, whatever number of points it belongs to
 namespace
 {
 template <class Array>
@@ -204,7 +204,7 @@ TEST(WindowRefusals, BoxSmallerThanASphere)
     { Name, "BoxSize requires periodic edges longer" }, [](auto& p) { p.Radius[0] = 0.51 * Edge; });
 }
 
-// Every filter has the window checked at the door
+// Every filter has the window checked when it takes its input
 namespace
 {
 template <class Filter>

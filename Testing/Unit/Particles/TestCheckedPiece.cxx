@@ -33,7 +33,7 @@ CheckedPiece Check(const std::vector<double>& x, std::array<bool, 3> periodic, b
 
 TEST(CheckedPiece, CentresOutsideAPeriodicBoxAreMovedIntoIt)
 {
-  // By rounding, by a few edges, at the border, and inside
+  // The centres are outside by rounding and by a few edges, at the border, and inside
   const CheckedPiece piece = Check({ -1e-4, 23.5, -40.0, 10.0, 7.25 }, { true, false, false });
   EXPECT_EQ(piece.NumberMoved(), 3);
   const std::vector<double>& x = piece.Spheres().X;
@@ -42,7 +42,7 @@ TEST(CheckedPiece, CentresOutsideAPeriodicBoxAreMovedIntoIt)
   EXPECT_EQ(x[2], 0.0);
   EXPECT_EQ(x[3], 10.0) << "a centre on the upper face is in the box";
   EXPECT_EQ(x[4], 7.25);
-  // A float just above the edge
+  // The centre is a float just above the edge
   EXPECT_EQ(Check({ 10.000001f }, { true, true, true }).NumberMoved(), 1);
 }
 

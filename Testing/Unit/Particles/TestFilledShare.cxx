@@ -81,7 +81,7 @@ TEST(FilledShare, ACutPackFillsWhatIsLeft)
             [](const Vector3& c) { return std::hypot(c[0] - 5.0, c[1] - 5.0, c[2] - 5.0) < 5.0; }),
       box),
     M_PI / 6.0, 0.25);
-  // Inside, as a threshold leaves it
+  // The empty part is inside, as a threshold may leave it
   EXPECT_LT(
     Share(Cut(Dense(), [](const Vector3& c) { return std::abs(c[2] - 5.0) > 2.0; }), box), 0.8);
 }
@@ -122,7 +122,7 @@ TEST(FilledShare, ChanceRaisesNoAlarm)
 TEST(FilledShare, LargeSpheresFillWhatIsInsideThem)
 {
   const Window box = Box(10, 10, 10);
-  // Half of the volume of all spheres in one, which takes 0.4 of the box
+  // Half of the volume of all spheres is in one, which takes 0.4 of the box
   SpherePack pack = Cut(Scattered(20000, box, 0.1, 5),
     [](const Vector3& c) { return std::hypot(c[0] - 5.0, c[1] - 5.0, c[2] - 5.0) > 4.6; });
   const SpherePack small = pack;
@@ -133,7 +133,7 @@ TEST(FilledShare, LargeSpheresFillWhatIsInsideThem)
   EXPECT_EQ(Share(pack, box), 1.0);
   EXPECT_NEAR(Share(small, box), 0.6, 0.1) << "the same without it";
 
-  // Large ones in one half, ten times smaller in the other
+  // Large spheres are in one half, ten times smaller ones in the other
   SpherePack halves = Cut(Scattered(30000, box, 0.1, 7), [](const Vector3& c) { return c[2] < 5; });
   SpherePack large = Scattered(80, Box(10, 10, 5), 1.0, 8);
   for (double& z : large.Z)
@@ -146,7 +146,7 @@ TEST(FilledShare, LargeSpheresFillWhatIsInsideThem)
 
 TEST(FilledShare, WallsOfAContainerAreNoCut)
 {
-  // Centres stay a radius away from the walls, of which the window is that of the container
+  // Centres stay a radius away from the walls, while the window is that of the container
   for (double radii : { 4.0, 8.0, 16.0 })
   {
     const double edge = 2.0 * radii;
@@ -184,7 +184,7 @@ TEST(FilledShare, IsTheSameOnAnyNumberOfRanks)
   oracle::ThreadRanks::Run(3,
     [&](ruc::Communicator& ranks)
     {
-      SpherePack own; // none on rank 0
+      SpherePack own; // rank 0 has none
       for (std::size_t i = 0; i < part.Size(); ++i)
       {
         if (static_cast<int>(1 + i % 2) == ranks.Rank())
