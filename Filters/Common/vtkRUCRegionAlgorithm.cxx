@@ -6,6 +6,7 @@
 #include "PackData.h"
 #include "RankCommunicator.h"
 #include "ruc/Base/Estimate.h"
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Tracing/SamplingRegion.h"
 
@@ -118,10 +119,7 @@ std::unique_ptr<ruc::SamplingRegion> vtkRUCRegionAlgorithm::MakeRegion(
 
 std::uint32_t vtkRUCRegionAlgorithm::GetCheckedSeed() const
 {
-  if (this->Seed < 0)
-  {
-    throw std::invalid_argument(ruc::Text("Seed requires a number >= 0, got ", this->Seed, "."));
-  }
+  ruc::Require(this->Seed >= 0, "Seed", "a number >= 0", this->Seed);
   return static_cast<std::uint32_t>(this->Seed);
 }
 

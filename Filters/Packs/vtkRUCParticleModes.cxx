@@ -4,7 +4,7 @@
 
 #include "PackData.h"
 #include "RankCommunicator.h"
-#include "ruc/Base/Text.h"
+#include "ruc/Base/Require.h"
 #include "ruc/Particles/ParticleModes.h"
 
 #include "vtkCellArray.h"
@@ -21,7 +21,6 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkRUCParticleModes);
 
@@ -169,11 +168,8 @@ void vtkRUCParticleModes::AddSummary(
 void vtkRUCParticleModes::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
-  if (this->Method < EQUAL_WIDTH || this->Method > ONE_PER_SIZE)
-  {
-    throw std::invalid_argument(
-      ruc::Text("Method requires a value from 0 to 3, got ", this->Method, "."));
-  }
+  ruc::Require(this->Method >= EQUAL_WIDTH && this->Method <= ONE_PER_SIZE, "Method",
+    "a value from 0 to 3", this->Method);
   const PackData::PackPiece pack = this->FindPiece(input, false, ranks, this->MinimumDiameter);
   const ruc::ParticleModes modes = this->FindModes(pack.Piece.Spheres().Radius, ranks);
 

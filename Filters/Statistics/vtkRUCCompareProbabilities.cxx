@@ -8,6 +8,7 @@
 #include "ProbabilityTable.h"
 #include "RankCommunicator.h"
 #include "ruc/Base/FixedPoint.h"
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Statistics/Results/ProbabilityComparison.h"
 
@@ -40,11 +41,7 @@ enum Ports
 
 void RequireSameGrid(const ruc::TwoPointProbability& a, const ruc::TwoPointProbability& b)
 {
-  if (a.Modes != b.Modes)
-  {
-    throw std::invalid_argument(
-      ruc::Text("Cell requires the modes of the input, ", a.Modes, ", got ", b.Modes, "."));
-  }
+  ruc::Require(a.Modes == b.Modes, "Cell", ruc::Text("the modes of the input, ", a.Modes), b.Modes);
   // The lags of both may be rounded
   if (a.Lags.Count != b.Lags.Count ||
     std::abs(a.Lags.Spacing - b.Lags.Spacing) > 2.0 * ProbabilityTable::Rounding * a.Lags.Spacing)
@@ -106,10 +103,7 @@ std::vector<std::string> CommonArrays(
   {
     names.push_back(name);
   }
-  if (names.empty())
-  {
-    throw std::invalid_argument("Cell requires an array of the input's names, got none.");
-  }
+  ruc::Require(!names.empty(), "Cell", "an array of the input's names", "none");
   return names;
 }
 
@@ -274,10 +268,7 @@ void vtkRUCCompareProbabilities::Execute(
     this->CompareTables(inputs, outputs, ranks);
     return;
   }
-  if (cells != 1)
-  {
-    throw std::invalid_argument(ruc::Text("Cell requires one image, got ", cells, "."));
-  }
+  ruc::Require(cells == 1, "Cell", "one image", cells);
   this->CompareImages(pack, vtkImageData::GetData(inputs[1]), outputs, ranks);
 }
 

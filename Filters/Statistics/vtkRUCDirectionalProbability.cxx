@@ -10,7 +10,6 @@
 #include "StatisticsEstimate.h"
 #include "TwoPointTables.h"
 #include "ruc/Base/Require.h"
-#include "ruc/Base/Text.h"
 #include "ruc/Statistics/PairSums/DirectionalProbability.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
@@ -20,7 +19,6 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkRUCDirectionalProbability);
 
@@ -45,15 +43,10 @@ int vtkRUCDirectionalProbability::FillOutputPortInformation(int, vtkInformation*
 
 void vtkRUCDirectionalProbability::ValidateProperties()
 {
-  if (this->Method != EXACT_PAIR_SUM && this->Method != CHORD_SAMPLING)
-  {
-    throw std::invalid_argument(
-      ruc::Text("Method requires a value from 0 to 1, got ", this->Method, "."));
-  }
-  if (this->HasMask() && this->Method == EXACT_PAIR_SUM)
-  {
-    throw std::invalid_argument("Mask requires Method Chord Sampling, got Exact Pair Sum.");
-  }
+  ruc::Require(this->Method == EXACT_PAIR_SUM || this->Method == CHORD_SAMPLING, "Method",
+    "a value from 0 to 1", this->Method);
+  ruc::Require(!this->HasMask() || this->Method != EXACT_PAIR_SUM, "Mask", "Method Chord Sampling",
+    "Exact Pair Sum");
 }
 
 void vtkRUCDirectionalProbability::Execute(

@@ -7,7 +7,7 @@
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
 #include "StatisticsEstimate.h"
-#include "ruc/Base/Text.h"
+#include "ruc/Base/Require.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
 #include "ruc/Statistics/Sampling/TemplateSampling.h"
@@ -16,8 +16,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
-
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkRUCOnePointProbability);
 
@@ -52,16 +50,10 @@ int vtkRUCOnePointProbability::FillOutputPortInformation(int, vtkInformation* in
 
 void vtkRUCOnePointProbability::ValidateProperties()
 {
-  if (this->Method < SPHERE_VOLUMES || this->Method > TEMPLATE_SAMPLING)
-  {
-    throw std::invalid_argument(
-      ruc::Text("Method requires a value from 0 to 2, got ", this->Method, "."));
-  }
-  if (this->Method == SPHERE_VOLUMES && this->HasMask())
-  {
-    throw std::invalid_argument(
-      "Mask requires Method Chord Sampling or Template Sampling, got Sphere Volumes.");
-  }
+  ruc::Require(this->Method >= SPHERE_VOLUMES && this->Method <= TEMPLATE_SAMPLING, "Method",
+    "a value from 0 to 2", this->Method);
+  ruc::Require(!this->HasMask() || this->Method != SPHERE_VOLUMES, "Mask",
+    "Method Chord Sampling or Template Sampling", "Sphere Volumes");
 }
 
 void vtkRUCOnePointProbability::Execute(

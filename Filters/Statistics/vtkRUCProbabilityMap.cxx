@@ -9,6 +9,7 @@
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
 #include "StatisticsEstimate.h"
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Statistics/PairSums/ProbabilityMap.h"
 #include "ruc/Statistics/Results/LagLimit.h"
@@ -72,16 +73,10 @@ int vtkRUCProbabilityMap::RequestInformation(
 
 void vtkRUCProbabilityMap::ValidateProperties() const
 {
-  if (this->Resolution < 1 || this->Resolution > 1000)
-  {
-    throw std::invalid_argument(
-      ruc::Text("Resolution requires a number from 1 to 1000, got ", this->Resolution, "."));
-  }
-  if (!(this->Spacing >= 0.0 && std::isfinite(this->Spacing)))
-  {
-    throw std::invalid_argument(
-      ruc::Text("Spacing requires a finite number >= 0, got ", this->Spacing, "."));
-  }
+  ruc::Require(this->Resolution >= 1 && this->Resolution <= 1000, "Resolution",
+    "a number from 1 to 1000", this->Resolution);
+  ruc::Require(this->Spacing >= 0.0 && std::isfinite(this->Spacing), "Spacing",
+    "a finite number >= 0", this->Spacing);
 }
 
 void vtkRUCProbabilityMap::Execute(

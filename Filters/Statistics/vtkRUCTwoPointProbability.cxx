@@ -9,7 +9,7 @@
 #include "RankCommunicator.h"
 #include "StatisticsEstimate.h"
 #include "TwoPointTables.h"
-#include "ruc/Base/Text.h"
+#include "ruc/Base/Require.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
@@ -19,7 +19,6 @@
 #include "vtkTable.h"
 
 #include <numeric>
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkRUCTwoPointProbability);
 
@@ -41,21 +40,12 @@ int vtkRUCTwoPointProbability::FillOutputPortInformation(int, vtkInformation* in
 
 void vtkRUCTwoPointProbability::ValidateProperties()
 {
-  if (this->Method < EXACT_PAIR_SUM || this->Method > TEMPLATE_SAMPLING)
-  {
-    throw std::invalid_argument(
-      ruc::Text("Method requires a value from 0 to 2, got ", this->Method, "."));
-  }
-  if (!(this->SaturationTolerance > 0.0))
-  {
-    throw std::invalid_argument(
-      ruc::Text("SaturationTolerance requires a number > 0, got ", this->SaturationTolerance, "."));
-  }
-  if (this->HasMask() && this->Method == EXACT_PAIR_SUM)
-  {
-    throw std::invalid_argument(
-      "Mask requires Method Chord Sampling or Template Sampling, got Exact Pair Sum.");
-  }
+  ruc::Require(this->Method >= EXACT_PAIR_SUM && this->Method <= TEMPLATE_SAMPLING, "Method",
+    "a value from 0 to 2", this->Method);
+  ruc::Require(this->SaturationTolerance > 0.0, "SaturationTolerance", "a number > 0",
+    this->SaturationTolerance);
+  ruc::Require(!this->HasMask() || this->Method != EXACT_PAIR_SUM, "Mask",
+    "Method Chord Sampling or Template Sampling", "Exact Pair Sum");
 }
 
 void vtkRUCTwoPointProbability::Execute(

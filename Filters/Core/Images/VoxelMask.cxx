@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Images/VoxelMask.h"
 
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 
 #include <algorithm>
@@ -88,10 +89,7 @@ void CheckImage(const std::array<int, 3>& dimensions, const Vector3& lower, cons
     }
     product *= dimensions[q];
   }
-  if (product != static_cast<double>(voxels))
-  {
-    throw std::invalid_argument(Text("Mask requires ", product, " voxels, got ", voxels, "."));
-  }
+  Require(product == static_cast<double>(voxels), "Mask", Text(product, " voxels"), voxels);
 }
 
 std::array<std::size_t, 3> StridesOf(const std::array<int, 3>& dimensions)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Window/Window.h"
 
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Base/Vector3.h"
 
@@ -50,10 +51,7 @@ void RequireLength(const char* name, double value)
 
 void RequirePositive(const char* name, double value)
 {
-  if (!(value > 0.0 && std::isfinite(value)))
-  {
-    throw std::invalid_argument(Text(name, " requires a finite number > 0, got ", value, "."));
-  }
+  Require(value > 0.0 && std::isfinite(value), name, "a finite number > 0", value);
 }
 
 // The area that two discs of the same radius share
@@ -66,10 +64,7 @@ double SharedDiscArea(double radius, double distance)
 
 void RequireMargin(double margin)
 {
-  if (!(margin >= 0.0 && std::isfinite(margin)))
-  {
-    throw std::invalid_argument(Text("Margin requires a finite number >= 0, got ", margin, "."));
-  }
+  Require(margin >= 0.0 && std::isfinite(margin), "Margin", "a finite number >= 0", margin);
 }
 
 Window Window::MakeBox(
@@ -102,10 +97,7 @@ Window Window::MakeCylinder(const Vector3& base, const Vector3& axis, double rad
   RequireLength("CylinderRadius", radius);
   RequireLength("CylinderHeight", height);
   const double length = std::hypot(axis[0], axis[1], axis[2]);
-  if (!(length > 0.0))
-  {
-    throw std::invalid_argument("CylinderAxis requires a direction, got 0 0 0.");
-  }
+  Require(length > 0.0, "CylinderAxis", "a direction", "0 0 0");
   Window window;
   window.WindowShape = Shape::Cylinder;
   window.Base = base;
