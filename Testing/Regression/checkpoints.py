@@ -37,7 +37,7 @@ def start(settings, ranks=1):
 
 
 def run(settings, ranks=1):
-    """The output, and the result in it or None."""
+    """The output of a search, and the result in it or None."""
     output = start(settings, ranks).communicate(timeout=120)[0]
     return output, next((line for line in output.splitlines() if line.startswith('RESULT')), None)
 
@@ -52,7 +52,7 @@ def stamp(name):
 
 
 def run_and_kill(settings, ranks):
-    """Kills the search with all its ranks some time after it wrote a state; whether it was still at work."""
+    """Kills the search with all its ranks some time after it wrote a state; returns whether it was still at work."""
     name = settings['CheckpointFile']
     before = stamp(name)
     process = start(settings, ranks)
@@ -63,7 +63,7 @@ def run_and_kill(settings, ranks):
     if alive:
         os.killpg(process.pid, signal.SIGKILL)
     process.communicate()
-    # Ranks are in groups of their own
+    # The ranks are in process groups of their own
     subprocess.run(['pkill', '-KILL', '-f', name], check=False)
     return alive
 
@@ -79,7 +79,7 @@ def test_kills():
             killed += run_and_kill(writing, 1 + n % 2)
             shutil.copy(name, name + '.copy')
         require(run(writing, 1 + kills % 2)[1] == expected, label + ' ends as if it had never been killed')
-        # From the last killed state on the other number of ranks, and from the end
+        # The search goes on from the last killed state on the other number of ranks, and from its end
         writing['CheckpointFile'] = name + '.copy'
         require(run(writing, 2 - kills % 2)[1] == expected, label + ' ends the same on other ranks')
         require(run(writing)[1] == expected, label + ' from its end is the same')
@@ -88,7 +88,7 @@ def test_kills():
 
 
 def test_cells():
-    """Several cells: a file each."""
+    """Several cells have a file each."""
     settings = {'MaximumIterations': 60, 'NumberOfCells': 3}
     expected = run(settings)[1]
     name = os.path.join(FOLDER, 'cells.state')
@@ -100,7 +100,7 @@ def test_cells():
 
 
 def test_refused():
-    """Files that are left as they are, with a reason."""
+    """Files that are no checkpoint are refused with a reason and left as they are."""
     settings = {'MaximumIterations': 20}
     name = os.path.join(FOLDER, 'refused.state')
     run(dict(settings, CheckpointFile=name))
@@ -157,7 +157,7 @@ def test_disk():
     expected = run(settings)[1]
     disk = os.path.join(FOLDER, 'disk')
     os.makedirs(disk, exist_ok=True)
-    # Room for one state, not for two
+    # There is room for one state, but not for two
     if not mount(disk, 'size=420k'):
         print('no tmpfs can be mounted here: not tested with a full disk')
         return
