@@ -13,21 +13,23 @@ namespace ruc
 {
 /**
  * Bytes that are read one after the other, from any place on. The core opens no files: a reader
- * derives one of these for its file, tests have theirs in memory.
+ * derives a class of this for its file, and tests have their bytes in memory.
  */
 class ByteStream
 {
 public:
   virtual ~ByteStream() = default;
 
-  /** Reads up to `size` bytes into the buffer and returns their number, which is less only at the
-   * end of the stream. */
+  /**
+   * Reads up to `size` bytes into the buffer and returns their number, which is less only at the
+   * end of the stream.
+   */
   virtual std::size_t Read(char* buffer, std::size_t size) = 0;
 
-  /** The next byte to be read, counted from the start of the stream. */
+  /** Sets the next byte to be read, counted from the start of the stream. */
   virtual void Seek(std::uint64_t offset) = 0;
 
-  /** A number of bytes that the stream does not exceed: its size where that is known. */
+  /** Returns a number of bytes that the stream does not exceed: its size, if that is known. */
   virtual std::uint64_t MostBytes() const = 0;
 };
 
@@ -58,8 +60,10 @@ private:
   std::size_t At = 0;
 };
 
-/** Up to `size` bytes from a place on; fewer at the end of the stream. Memory is taken only for
- * bytes that can be there. */
+/**
+ * Returns up to `size` bytes from a place on; fewer at the end of the stream. Memory is taken only
+ * for bytes that can be there.
+ */
 inline std::string ReadBytes(ByteStream& bytes, std::uint64_t offset, std::uint64_t size)
 {
   const std::uint64_t most = bytes.MostBytes();

@@ -9,35 +9,40 @@
 
 namespace ruc
 {
-/** The fields of a line; they stay in the line's memory. */
+/** The fields of a line, which stay in the line's memory. */
 using Fields = std::vector<std::string_view>;
 
-/** Splits at runs of blanks and tabs. */
+/** Splits a line at runs of blanks and tabs. */
 void SplitBlanks(std::string_view line, Fields& fields);
 
-/** Without blanks, tabs and carriage returns around it. */
+/** Returns a text without the blanks, tabs and carriage returns around it. */
 std::string_view TrimBlanks(std::string_view text);
 
-/** The first lines of the beginning of a file, at most so many, without their ends. */
+/**
+ * Returns the first lines of the beginning of a file, without their ends; at most `most` of them.
+ */
 std::vector<std::string_view> FirstLines(std::string_view begin, std::size_t most);
 
-/** In lower case, letters of ASCII only. */
+/** Returns a text in lower case. Only letters of ASCII change. */
 std::string Lower(std::string_view text);
 
-/** In single quotes, cut after 40 bytes, for messages. */
+/** Returns a field in single quotes, cut after 40 bytes, for messages. */
 std::string Quote(std::string_view field);
 
-/** A number as ParseDouble takes it, also with a "+" in front and with the exponent D of Fortran.
+/**
+ * Reads a number as ParseDouble does, also with a "+" in front and with the exponent D of Fortran.
  */
 bool ParseNumber(std::string_view field, double& value);
 
-/** A whole number, also one that is written as 3.0 or 3e2, that a double holds exactly. */
+/** Reads a whole number that a double holds exactly, also one that is written as 3.0 or 3e2. */
 bool ParseWhole(std::string_view field, std::int64_t& value);
 
-/** All fields of the line as numbers; false where one is none, or is not finite. */
+/** Reads all fields of the line as numbers. Returns false if one is no number or not finite. */
 bool ParseNumbers(std::string_view line, std::vector<double>& numbers);
 
-/** What is wrong with a field that is to be a finite number: "a finite number, got 'nan'." and the
- * like. */
+/**
+ * Returns what is wrong with a field that should be a finite number, such as "a finite number, got
+ * 'nan'."
+ */
 std::string NumberFault(std::string_view field);
 }

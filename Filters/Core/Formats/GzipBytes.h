@@ -10,12 +10,12 @@
 namespace ruc
 {
 /**
- * The stream itself, or what it unpacks to if its first bytes are those of gzip (one member or
- * several). Bytes are unpacked as they are read; going back begins again at the start.
+ * Returns the stream itself, or what it unpacks to if its first bytes are those of gzip (one member
+ * or several). Bytes are unpacked as they are read; going back begins again at the start.
  *
- * Reading throws std::invalid_argument where the packed bytes are damaged or end early, where they
- * unpack to more than `mostBytes`, and, from 16 MiB on, to more than a thousand times what they
- * are: text does not, bombs do.
+ * Reading throws std::invalid_argument if the packed bytes are damaged or end early, and if they
+ * unpack to more than `mostBytes` or, from 16 MiB on, to more than a thousand times their number:
+ * texts do not, but files made to fill the memory do.
  */
 std::unique_ptr<ByteStream> Unpack(std::unique_ptr<ByteStream> bytes,
   std::uint64_t mostBytes = std::numeric_limits<std::uint64_t>::max());

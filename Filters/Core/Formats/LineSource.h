@@ -11,33 +11,37 @@
 namespace ruc
 {
 /**
- * The lines of a stream of bytes from some place on, one at a time, without their ends (LF, CR LF,
- * or CR alone). A text may end without one.
+ * Reads the lines of a stream of bytes from some place on, one at a time, without their ends (LF,
+ * CR LF, or CR alone). The last line need not have an end.
  */
 class LineSource
 {
 public:
   static constexpr std::size_t LongestLine = 65536;
 
-  /** Begins at a byte, in front of which there are `linesBefore` lines. The stream must outlive
-   * this. */
+  /**
+   * Begins at a byte that has `linesBefore` lines in front of it. The stream must outlive this
+   * object.
+   */
   explicit LineSource(ByteStream& bytes, std::uint64_t offset = 0, std::size_t linesBefore = 0);
 
-  /** Sets `line`, which is valid until the next call, or returns false at the end of the text.
-   * Throws std::invalid_argument for a line of more than LongestLine bytes. */
+  /**
+   * Sets `line`, which is valid until the next call, or returns false at the end of the text.
+   * Throws std::invalid_argument for a line of more than LongestLine bytes.
+   */
   bool Next(std::string_view& line) { return this->Take(line, true); }
-  /** The same line as Next, which then gives it again. */
+  /** Sets the same line as Next, which then gives it again. */
   bool Peek(std::string_view& line) { return this->Take(line, false); }
-  /** The next line, or a refusal that says what it should have been. */
+  /** Returns the next line, or refuses the text and says what the line should have been. */
   std::string_view Require(const char* what);
-  /** Passes over so many lines; returns how many there were. */
+  /** Passes over `count` lines and returns how many there were. */
   std::size_t Skip(std::size_t count);
 
-  /** The first byte of the next line. */
+  /** Returns the place of the first byte of the next line. */
   std::uint64_t Offset() const { return this->BufferOffset + this->At; }
-  /** The number of the last line that Next gave, from 1. */
+  /** Returns the number of the last line that Next gave, counted from 1. */
   std::size_t Line() const { return this->LinesBefore; }
-  /** No more bytes than these are left. */
+  /** Returns a number of bytes that what is left does not exceed. */
   std::uint64_t MostBytesLeft() const;
 
   /** Throws std::invalid_argument "Line 12: …" about the last line. */
@@ -45,14 +49,14 @@ public:
 
 private:
   bool Take(std::string_view& line, bool goOn);
-  bool FindEnd(std::size_t& end); // of the next line, in the buffer
+  bool FindEnd(std::size_t& end); // finds the end of the next line in the buffer
   void Refill();
 
   ByteStream& Bytes;
   std::vector<char> Buffer = std::vector<char>(4 * LongestLine);
   std::uint64_t BufferOffset;
   std::size_t LinesBefore;
-  std::size_t At = 0, End = 0; // of what is left in the buffer
+  std::size_t At = 0, End = 0; // what is left in the buffer is between these
   bool AtEnd = false;
   char LineEnd = '\n';
 };

@@ -10,20 +10,20 @@
 
 namespace ruc
 {
-/** What the columns of a table mean. */
+/** The meaning of the columns of a table. */
 struct TableColumns
 {
   RowColumns Columns;
   std::string LengthUnit;
-  /** The columns have no names: x y z, or x y z radius, by their number. */
+  /** Whether the columns have no names. They are then x y z or x y z radius, by their number. */
   bool Nameless = false;
 };
 
 /**
- * Finds the columns by their names, in any case, after a unit in brackets or parentheses is split
- * off: x, "position x", pos_x, CenterX, Points:0, Points_0; r, rad, radius, radii; d, diam,
- * diameter, diameters; id; type, matId, species; mode. ReadSettings::Columns and RadiusColumn
- * overrule; a radius column that is given by name or number and named as a diameter holds
+ * Finds the columns by their names, in upper or lower case, after a unit in brackets or parentheses
+ * is split off: x, "position x", pos_x, CenterX, Points:0, Points_0; r, rad, radius, radii; d,
+ * diam, diameter, diameters; id; type, matId, species; mode. ReadSettings::Columns and RadiusColumn
+ * come first; a radius column that is given by name or number, and is named as a diameter, holds
  * diameters. `units` may be empty, or hold a unit for each column.
  *
  * Throws std::invalid_argument for a missing column, settings that do not fit, and lengths in
@@ -32,13 +32,15 @@ struct TableColumns
 TableColumns FindNamedColumns(const std::vector<std::string>& names,
   const std::vector<std::string>& units, const ReadSettings& settings);
 
-/** The columns of a table without names: three are x y z, four x y z radius. More are refused, as
- * it cannot be known what they are. */
+/**
+ * Returns the columns of a table without names: three are x y z, four are x y z radius. More are
+ * refused, as it cannot be known what they are.
+ */
 TableColumns FindNamelessColumns(std::size_t count, const ReadSettings& settings);
 
-/** Whether names have columns x, y and z. */
+/** Returns whether names have columns x, y and z. */
 bool NameCentres(const std::vector<std::string>& names);
 
-/** Whether the text is a unit of length that is known here. */
+/** Returns whether the text is a unit of length that is known here. */
 bool IsLengthUnit(std::string_view text);
 }

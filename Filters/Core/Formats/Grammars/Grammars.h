@@ -6,7 +6,7 @@
 
 namespace ruc
 {
-// One grammar a file; what is taken from each, and its source, stand at the top of the file.
+// Each grammar has a file of its own, which says at its top what is taken from it, and its source.
 extern const PackFormat BaranauXyzd;
 extern const PackFormat EsysGeometry;
 extern const PackFormat ExtendedXyz;
@@ -19,7 +19,7 @@ extern const PackFormat SkogePack;
 extern const PackFormat Table;
 extern const PackFormat YadeText;
 
-/** The unit of length of a unit style of LAMMPS; empty for lj, which has none. */
+/** Returns the unit of length of a unit style of LAMMPS. It is empty for lj, which has none. */
 std::string LengthUnitOfStyle(std::string_view style);
 
 /** The Scan of formats that hold one frame. */
