@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -32,30 +33,12 @@ vtkDataArray* FindColumn(vtkTable* table, const std::string& name)
   return PackData::FindArray(table->GetRowData(), name.c_str(), 2);
 }
 
-// The number of spheres on all ranks
-std::optional<double> FindSpheres(vtkPointSet* piece, double told, int ranks)
-{
-  if (told > 0.0)
-  {
-    return told;
-  }
-  if (ranks == 1)
-  {
-    return static_cast<double>(piece->GetNumberOfPoints());
-  }
-  vtkDataArray* total = piece->GetFieldData()->GetArray("NumberOfSpheres");
-  if (!total || total->GetNumberOfValues() != 1)
-  {
-    return {};
-  }
-  return total->GetTuple1(0);
-}
-
 ruc::PackFigures FindSizes(vtkDataArray* radius, vtkDataArray* mode, vtkIdType points)
 {
   ruc::PackFigures pack;
   double cubes = 0.0, number = 0.0;
   std::set<std::pair<double, double>> types;
+  std::map<double, std::pair<double, double>> modes; // number, sum of cubes
   for (vtkIdType i = 0; i < points; i += 1 + points / MostLookedAt)
   {
     const double r = radius->GetTuple1(i);
@@ -64,6 +47,13 @@ ruc::PackFigures FindSizes(vtkDataArray* radius, vtkDataArray* mode, vtkIdType p
     cubes += r * r * r;
     number += 1.0;
     types.insert({ mode->GetTuple1(i), r });
+    auto& [ofMode, cubesOfMode] = modes[mode->GetTuple1(i)];
+    ofMode += 1.0;
+    cubesOfMode += r * r * r;
+  }
+  for (const auto& [number, sums] : modes)
+  {
+    pack.ModeRadius.push_back(std::cbrt(sums.second / sums.first));
   }
   pack.MeanRadius /= number;
   pack.MeanSquareRadius /= number;
@@ -88,6 +78,24 @@ ruc::Window GuessWindow(vtkPointSet* piece, double share)
   }
   return ruc::Window::MakeBox({ 0.0, 0.0, 0.0 }, edges, { false, false, false });
 }
+}
+
+std::optional<double> PackEstimate::FindSpheres(vtkPointSet* piece, double told, int ranks)
+{
+  if (told > 0.0)
+  {
+    return told;
+  }
+  if (!piece || ranks == 1)
+  {
+    return piece ? std::optional<double>(piece->GetNumberOfPoints()) : std::nullopt;
+  }
+  vtkDataArray* total = piece->GetFieldData()->GetArray("NumberOfSpheres");
+  if (!total || total->GetNumberOfValues() != 1)
+  {
+    return {};
+  }
+  return total->GetTuple1(0);
 }
 
 std::optional<ruc::PackFigures> PackEstimate::FindFigures(
@@ -143,6 +151,7 @@ std::optional<ruc::CellFigures> PackEstimate::FindCellFigures(
     cell.Density += amounts.Number[mode];
     cell.LargestRadius = std::max(cell.LargestRadius, amounts.Radius[mode]);
   }
+  cell.Radius = amounts.Radius;
   return cell;
 }
 

@@ -24,6 +24,10 @@ namespace PackEstimate RUCCOMMON_EXPORT
 std::optional<ruc::PackFigures> FindFigures(
   vtkPointSet* piece, const PackData::WindowProperties& properties, double spheres, int ranks);
 
+/** Returns the number of spheres on all ranks: `told` where that is above 0; else as FindFigures
+ * finds it. */
+std::optional<double> FindSpheres(vtkPointSet* piece, double told, int ranks);
+
 /**
  * Returns a cell like those of a table of S_rs with spheres of these diameters, still without a
  * number of spheres, and the table's lags; or none where the table does not tell. Throws

@@ -67,11 +67,23 @@ void vtkRUCPackAlgorithm::Execute(
 
 void vtkRUCPackAlgorithm::CheckMemory(RankCommunicator& ranks)
 {
-  double negative = -this->GetMemoryToCheck();
+  try
+  {
+    this->RequireMemory(this->GetMemoryToCheck(), ranks);
+  }
+  catch (const std::invalid_argument&)
+  {
+    this->SpheresFound = 0;
+    throw;
+  }
+}
+
+void vtkRUCPackAlgorithm::RequireMemory(double megabytes, RankCommunicator& ranks) const
+{
+  double negative = -megabytes;
   ranks.Minimum(&negative, 1);
   if (-negative > 0.0 && !(-negative <= this->MemoryLimit))
   {
-    this->SpheresFound = 0;
     throw std::invalid_argument(ruc::Text("MemoryLimit requires at least ", std::ceil(-negative),
       " MB on every rank for this input with these properties, got ", this->MemoryLimit, "."));
   }

@@ -47,8 +47,9 @@ bool vtkRUCRegionAlgorithm::HasMask()
 
 ruc::Estimate vtkRUCRegionAlgorithm::EstimateRegion()
 {
-  constexpr double bytesPerVoxel = 4.0;   // to send it, receive it and put the mask together
-  constexpr double bytesOfErosion = 11.0; // the same, with the distance from the border
+  constexpr double bytesPerVoxel = 4.0; // to send it, receive it and put the mask together
+  // The mask, two more on the way, and the distances from the border of an eighth of the voxels
+  constexpr double bytesOfErosion = 5.0;
   vtkInformation* info = this->HasMask() ? this->GetInputInformation(1, 0) : nullptr;
   vtkImageData* piece = info ? vtkImageData::GetData(info) : nullptr;
   const auto voxelsOf = [](const int* extent)

@@ -3,6 +3,8 @@
 #include "vtkRUCParticleModes.h"
 
 #include "PackData.h"
+#include "PackEstimate.h"
+#include "PackInput.h"
 #include "RankCommunicator.h"
 #include "ruc/Base/Require.h"
 #include "ruc/Particles/ParticleModes.h"
@@ -114,6 +116,11 @@ void vtkRUCParticleModes::ClearEdges()
 
 void vtkRUCParticleModes::SetEdge(int i, double diameter)
 {
+  if (i < 0 || i > ruc::MostModes + 1)
+  {
+    vtkErrorMacro(<< "Edges has places 0 to " << ruc::MostModes << ", got " << i);
+    return;
+  }
   if (i >= this->GetNumberOfEdges())
   {
     this->Edges.resize(i + 1, 0.0);
@@ -163,6 +170,17 @@ void vtkRUCParticleModes::AddSummary(
   {
     PackData::AddWindow(data, origin.Observed);
   }
+}
+
+std::optional<ruc::Estimate> vtkRUCParticleModes::MakeEstimate()
+{
+  const RankCommunicator ranks(this->GetController());
+  const std::optional<double> spheres =
+    PackEstimate::FindSpheres(PackInput::FindHere(this->GetInputDataObject(0, 0)),
+      static_cast<double>(this->GetKnownSpheres()), ranks.Size());
+  return spheres
+    ? std::optional(ruc::EstimateModes(*spheres, static_cast<ruc::ModeMethod>(this->Method)))
+    : std::nullopt;
 }
 
 void vtkRUCParticleModes::Execute(

@@ -77,6 +77,7 @@ protected:
   const char* GetLabel() const override { return "Particle Modes"; }
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
+  std::optional<ruc::Estimate> MakeEstimate() override;
 
 private:
   vtkRUCParticleModes(const vtkRUCParticleModes&) = delete;

@@ -15,6 +15,9 @@ namespace ruc
 {
 namespace
 {
+// Of a mask, whose distances are found one after another: they then take a byte a voxel
+constexpr int Parts = 8;
+
 /**
  * Computes values[i] = min over j of values[j] + (spacing (i - j))^2, where all values are finite,
  * by the lower envelope of parabolas (Felzenszwalb and Huttenlocher, Theory of Computing 8, 2012).
@@ -107,47 +110,104 @@ std::vector<std::uint8_t> WithoutRim(
   std::vector<std::uint8_t> apart = inside;
   for (int q = 0; q < 3; ++q)
   {
-    const std::vector<std::uint8_t> before = apart;
+    // What the voxels before were, which are overwritten
+    std::vector<std::uint8_t> before(strides[q]);
     for (std::size_t n = 0; n < apart.size(); ++n)
     {
       const int along = static_cast<int>(n / strides[q] % dimensions[q]);
-      apart[n] = along > 0 && along + 1 < dimensions[q] && before[n] && before[n - strides[q]] &&
-        before[n + strides[q]];
+      const std::uint8_t last = std::exchange(before[n % strides[q]], apart[n]);
+      apart[n] =
+        along > 0 && along + 1 < dimensions[q] && apart[n] && last && apart[n + strides[q]];
     }
   }
   return apart;
 }
 
-// The squared distance of every voxel's centre from the nearest centre of a voxel that is 0
-std::vector<double> SquaredDistances(const std::vector<std::uint8_t>& voxels,
-  const std::array<int, 3>& dimensions, const Vector3& spacing)
+/**
+ * The squared distance of the voxels' centres from the nearest centre of a voxel that is 0, for
+ * some planes of voxels of the same x at a time: that takes eight bytes a voxel.
+ */
+class SquaredDistances
 {
-  const std::array<std::size_t, 3> strides = StridesOf(dimensions);
-  const double far =
-    std::hypot(dimensions[0] * spacing[0], dimensions[1] * spacing[1], dimensions[2] * spacing[2]);
-  std::vector<double> distance2(voxels.size());
-  std::transform(voxels.begin(), voxels.end(), distance2.begin(),
-    [&](std::uint8_t voxel) { return voxel ? far * far : 0.0; });
-  for (int q = 0; q < 3; ++q)
+public:
+  SquaredDistances(const std::vector<std::uint8_t>& voxels, const std::array<int, 3>& dimensions,
+    const Vector3& spacing)
+    : Voxels(voxels)
+    , Dimensions(dimensions)
+    , Spacing(spacing)
+    , Far(std::hypot(
+        dimensions[0] * spacing[0], dimensions[1] * spacing[1], dimensions[2] * spacing[2]))
   {
-    const int other = q == 2 ? 1 : 2; // the slower of the other two axes
-    const int another = 3 - q - other;
+  }
+
+  // Of the planes first to last - 1, in the order of the voxels
+  const std::vector<double>& Find(int first, int last)
+  {
+    const std::array<int, 3> part = { last - first, this->Dimensions[1], this->Dimensions[2] };
+    const std::array<std::size_t, 3> strides = StridesOf(part);
+    const std::int64_t lines = static_cast<std::int64_t>(part[1]) * part[2];
+    this->Distance2.resize(lines * part[0]);
 #pragma omp parallel
     {
-      ParabolaEnvelope envelope(dimensions[q]);
+      std::vector<int> away(this->Dimensions[0]);
 #pragma omp for schedule(static)
-      for (int a = 0; a < dimensions[other]; ++a)
+      for (std::int64_t line = 0; line < lines; ++line)
       {
-        for (int b = 0; b < dimensions[another]; ++b)
+        this->FindAlongLine(line, away);
+        for (int x = first; x < last; ++x)
         {
-          envelope.Transform(
-            distance2.data() + a * strides[other] + b * strides[another], strides[q], spacing[q]);
+          const double distance = away[x];
+          this->Distance2[line * part[0] + x - first] = away[x] < 0
+            ? this->Far * this->Far
+            : this->Spacing[0] * this->Spacing[0] * distance * distance;
+        }
+      }
+      for (int q : { 1, 2 })
+      {
+        ParabolaEnvelope envelope(part[q]);
+#pragma omp for schedule(static)
+        for (int a = 0; a < part[3 - q]; ++a)
+        {
+          for (int x = 0; x < part[0]; ++x)
+          {
+            envelope.Transform(
+              this->Distance2.data() + a * strides[3 - q] + x, strides[q], this->Spacing[q]);
+          }
         }
       }
     }
+    return this->Distance2;
   }
-  return distance2;
-}
+
+private:
+  // How many voxels the nearest 0 of a line along x is away from each of its voxels; -1: no 0
+  void FindAlongLine(std::int64_t line, std::vector<int>& away) const
+  {
+    const int count = this->Dimensions[0];
+    const std::uint8_t* voxels = &this->Voxels[line * count];
+    int last = -1;
+    for (int x = 0; x < count; ++x)
+    {
+      last = voxels[x] == 0 ? x : last;
+      away[x] = last < 0 ? -1 : x - last;
+    }
+    last = -1;
+    for (int x = count - 1; x >= 0; --x)
+    {
+      last = voxels[x] == 0 ? x : last;
+      if (last >= 0 && (away[x] < 0 || last - x < away[x]))
+      {
+        away[x] = last - x;
+      }
+    }
+  }
+
+  const std::vector<std::uint8_t>& Voxels;
+  std::array<int, 3> Dimensions;
+  Vector3 Spacing;
+  double Far;
+  std::vector<double> Distance2;
+};
 
 // Appends a part, or continues the last interval where the part follows it
 void Append(const LineInterval& part, std::vector<LineInterval>& intervals)
@@ -235,15 +295,24 @@ VoxelMask VoxelMask::Eroded(double margin) const
   // Voxels that touch an outside one, or the border, are at no distance from it. The distance
   // between any other voxel, as a box, and the outside is the distance between its centre and the
   // nearest centre of such a voxel, as one spacing along each axis is taken off either way.
-  const std::vector<double> distance2 =
-    SquaredDistances(WithoutRim(this->Inside, this->Dimensions), this->Dimensions, this->Spacing);
+  const std::vector<std::uint8_t> apart = WithoutRim(this->Inside, this->Dimensions);
+  SquaredDistances distances(apart, this->Dimensions, this->Spacing);
   std::vector<std::uint8_t> kept(this->Inside.size());
   const double least = margin * (1.0 - 1e-9);
   bool any = false;
-  for (std::size_t n = 0; n < kept.size(); ++n)
+  const int planes = (this->Dimensions[0] + Parts - 1) / Parts;
+  for (int first = 0; first < this->Dimensions[0]; first += planes)
   {
-    kept[n] = this->Inside[n] && distance2[n] >= least * least;
-    any = any || kept[n];
+    const int last = std::min(first + planes, this->Dimensions[0]);
+    auto distance2 = distances.Find(first, last).begin();
+    for (std::size_t row = 0; row < kept.size(); row += this->Dimensions[0])
+    {
+      for (std::size_t n = row + first; n < row + last; ++n, ++distance2)
+      {
+        kept[n] = this->Inside[n] && *distance2 >= least * least;
+        any = any || kept[n];
+      }
+    }
   }
   if (!any)
   {

@@ -5,6 +5,8 @@
 #include "ruc/Base/Estimate.h"
 #include "ruc/Window/Window.h"
 
+#include <vector>
+
 namespace ruc
 {
 /** What estimates have to know about a pack. Lengths are in its unit. */
@@ -18,6 +20,7 @@ struct PackFigures
   double MeanDiameter = 0.0; // the volume mean
   int Modes = 1;
   int Types = 1; // the number of different pairs of mode and radius
+  std::vector<double> ModeRadius = {}; // half the volume mean diameter of every mode that is known
 
   /** The number of spheres per unit volume. */
   double Density() const { return this->Spheres / this->Observed.Volume(); }

@@ -42,6 +42,26 @@ SpherePack ExchangeSpheres(SpherePack piece, std::int64_t total, Communicator& r
   return own;
 }
 
+// The radius in units of which those of every mode are summed: the pack's largest; where the whole
+// mode is so much smaller that too few digits of its cubes would be left, the mode's largest
+std::vector<double> FindUnits(const SpherePack& own, std::size_t modes, Communicator& ranks)
+{
+  constexpr double muchSmaller = 0x1p-10;
+  std::vector<double> units(modes, 0.0);
+  for (std::size_t i = 0; i < own.Size(); ++i)
+  {
+    double& unit = units[own.Mode.empty() ? 0 : own.Mode[i] - 1];
+    unit = std::min(unit, -own.Radius[i]);
+  }
+  ranks.Minimum(units.data(), modes);
+  const double largest = *std::min_element(units.begin(), units.end());
+  for (double& unit : units)
+  {
+    unit = unit < 0.0 && unit > muchSmaller * largest ? -unit : -largest;
+  }
+  return units;
+}
+
 void FindTotals(PackShare& share, Communicator& ranks)
 {
   const SpherePack& own = share.Own;
@@ -49,8 +69,8 @@ void FindTotals(PackShare& share, Communicator& ranks)
   ranks.Minimum(most, 2);
   share.LargestRadius = -most[0];
   const std::size_t modes = static_cast<std::size_t>(-most[1]);
-  // Sums of r^3 and r^2 relative to the largest radius, in fixed point, so that they are equal for
-  // any sharing
+  const std::vector<double> units = FindUnits(own, modes, ranks);
+  // Sums of r^3 and r^2 in these units, in fixed point, so that they are equal for any sharing
   constexpr double scale = 0x1p50;
   struct Mode
   {
@@ -60,16 +80,18 @@ void FindTotals(PackShare& share, Communicator& ranks)
   std::vector<Mode> sums(modes, Mode{});
   for (std::size_t i = 0; i < own.Size(); ++i)
   {
-    Mode& mode = sums[own.Mode.empty() ? 0 : own.Mode[i] - 1];
-    const double ratio = own.Radius[i] / share.LargestRadius;
+    const std::size_t number = own.Mode.empty() ? 0 : own.Mode[i] - 1;
+    Mode& mode = sums[number];
+    const double ratio = own.Radius[i] / units[number];
     ++mode.Count;
     AddWide(RoundToFixedPoint(scale * ratio * ratio * ratio), mode.Cubes);
     AddWide(RoundToFixedPoint(scale * ratio * ratio), mode.Squares);
   }
   ranks.Sum(&sums.front().Count, numbers * modes);
-  const double radius = share.LargestRadius;
-  for (const Mode& mode : sums)
+  for (std::size_t m = 0; m < modes; ++m)
   {
+    const Mode& mode = sums[m];
+    const double radius = units[m];
     share.Count.push_back(mode.Count);
     share.Volume.push_back(SphereVolume(radius) * (WideValue(mode.Cubes) / scale));
     share.Surface.push_back(

@@ -154,32 +154,42 @@ std::vector<double> FindEdges(const std::vector<double>& diameters, const Extrem
 std::vector<ModeSummary> Summarise(const std::vector<double>& diameters,
   const std::vector<double>& edges, double greatest, Communicator& ranks)
 {
-  // For every mode three integers, its count and the sum of (d / greatest)^3 in fixed point, and
-  // two numbers, its least diameter and minus its greatest
-  constexpr double scale = 0x1p50;
+  // For every mode where its diameters end, and two numbers, its least diameter and minus its
+  // greatest
   const std::size_t modes = edges.size() + 1;
-  std::vector<std::int64_t> sums(3 * modes, 0);
+  std::vector<std::vector<double>::const_iterator> ends = { diameters.begin() };
   std::vector<double> extremes(2 * modes, INFINITY);
-  auto begin = diameters.begin();
   for (std::size_t m = 0; m < modes; ++m)
   {
-    const auto end =
-      m < edges.size() ? std::lower_bound(begin, diameters.end(), edges[m]) : diameters.end();
-    sums[3 * m] = end - begin;
-    for (auto d = begin; d != end; ++d)
-    {
-      const double ratio = *d / greatest;
-      AddWide(RoundToFixedPoint(scale * ratio * ratio * ratio), &sums[3 * m + 1]);
-    }
-    if (begin != end)
+    const auto begin = ends.back();
+    ends.push_back(
+      m < edges.size() ? std::lower_bound(begin, diameters.end(), edges[m]) : diameters.end());
+    if (begin != ends.back())
     {
       extremes[2 * m] = *begin;
-      extremes[2 * m + 1] = -*(end - 1);
+      extremes[2 * m + 1] = -*(ends.back() - 1);
     }
-    begin = end;
+  }
+  ranks.Minimum(extremes.data(), extremes.size());
+  // Count, and sum of d^3 in fixed point, in units of the greatest of all; where a whole mode is so
+  // much smaller that too few digits would be left, of its own greatest
+  constexpr double scale = 0x1p50, muchSmaller = 0x1p-10;
+  const auto unitOf = [&](std::size_t m)
+  {
+    const double ofMode = -extremes[2 * m + 1];
+    return ofMode < muchSmaller * greatest ? ofMode : greatest;
+  };
+  std::vector<std::int64_t> sums(3 * modes, 0);
+  for (std::size_t m = 0; m < modes; ++m)
+  {
+    sums[3 * m] = ends[m + 1] - ends[m];
+    for (auto d = ends[m]; d != ends[m + 1]; ++d)
+    {
+      const double ratio = *d / unitOf(m);
+      AddWide(RoundToFixedPoint(scale * ratio * ratio * ratio), &sums[3 * m + 1]);
+    }
   }
   ranks.Sum(sums.data(), sums.size());
-  ranks.Minimum(extremes.data(), extremes.size());
   std::vector<ModeSummary> summaries;
   for (std::size_t m = 0; m < modes; ++m)
   {
@@ -191,7 +201,7 @@ std::vector<ModeSummary> Summarise(const std::vector<double>& diameters,
     summary.Count = static_cast<std::size_t>(sums[3 * m]);
     summary.MinimumDiameter = extremes[2 * m];
     summary.MaximumDiameter = -extremes[2 * m + 1];
-    summary.Volume = SphereVolume(0.5 * greatest) * (WideValue(&sums[3 * m + 1]) / scale);
+    summary.Volume = SphereVolume(0.5 * unitOf(m)) * (WideValue(&sums[3 * m + 1]) / scale);
     summary.VolumeMeanDiameter =
       2.0 * std::cbrt(summary.Volume / summary.Count / SphereVolume(1.0));
     summaries.push_back(summary);
@@ -238,5 +248,15 @@ int ParticleModes::ModeOf(double diameter) const
       static_cast<int>(
         std::upper_bound(this->LowerEdges.begin(), this->LowerEdges.end(), diameter) -
         this->LowerEdges.begin());
+}
+
+Estimate EstimateModes(double spheres, ModeMethod method)
+{
+  constexpr double SecondsPerSphere = 5e-7;
+  constexpr double BytesPerSphere = 200.0; // read, sorted, handed on
+  // The diameters of all on every rank, as they come and put together
+  const double gathered = method == ModeMethod::EqualVolume ? 2.0 * sizeof(double) : 0.0;
+  return { spheres * SecondsPerSphere, spheres * gathered / BytesOfMegabyte,
+    spheres * BytesPerSphere / BytesOfMegabyte };
 }
 }

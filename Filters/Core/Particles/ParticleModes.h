@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ruc/Base/Communicator.h"
+#include "ruc/Base/Estimate.h"
 
 #include <cstddef>
 #include <vector>
@@ -35,6 +36,9 @@ struct ModeSettings
  * much memory.
  */
 constexpr int MostModes = 256;
+
+/** What sorting so many spheres, and handing them on with their modes, takes. */
+Estimate EstimateModes(double spheres, ModeMethod method);
 
 /** The spheres of one mode. */
 struct ModeSummary

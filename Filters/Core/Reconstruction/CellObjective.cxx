@@ -17,12 +17,12 @@ namespace
 // Chunks are small, so that ranks and threads get equal shares of a small cell
 constexpr std::size_t ChunkOfCentres = 8;
 
-std::vector<SphereType> CellTypes(const CellContents& contents)
+std::vector<SphereType> CellTypes(const std::vector<double>& radii)
 {
   std::vector<SphereType> types;
-  for (std::size_t m = 0; m < contents.Radius.size(); ++m)
+  for (std::size_t m = 0; m < radii.size(); ++m)
   {
-    types.push_back({ static_cast<int>(m) + 1, contents.Radius[m] });
+    types.push_back({ static_cast<int>(m) + 1, radii[m] });
   }
   return types;
 }
@@ -57,7 +57,7 @@ CellObjective::CellObjective(
   : Contents(contents)
   , Ranks(communicator)
   , Sizes(contents.Radii(), target.Lags.Maximum(), 1.0)
-  , Histogram(CellTypes(contents), target.Lags, SearchKnots)
+  , Histogram(CellTypes(contents.Radius), target.Lags, SearchKnots)
   , TwoPoint(contents, target, this->Histogram, communicator)
   , Overlap(contents, this->Histogram)
 {
@@ -127,6 +127,23 @@ void CellObjective::FindGradient(
       gradient[3 * cells.Index[j] + q] = forces[4 * j + q] / scale;
     }
   }
+}
+
+CellFigures FiguresOf(const CellContents& contents)
+{
+  const double spheres = contents.NumberOfSpheres();
+  return { spheres, spheres / contents.MakeBox().Volume(),
+    *std::max_element(contents.Radius.begin(), contents.Radius.end()),
+    static_cast<int>(contents.Radius.size()), contents.Radius };
+}
+
+double EstimateObjectiveBytes(const CellFigures& cell, const LagGrid& lags)
+{
+  // Of a number of the histogram: counts, penalty, potential, its slopes, what ranks gather
+  constexpr double bytesOfNumber = 6.0 * sizeof(double);
+  const std::vector<SphereType> types = CellTypes(cell.Radius);
+  return PairHistogram::EstimateTables(types, lags, SearchKnots) +
+    bytesOfNumber * PairHistogram::EstimateSize(types, lags, SearchKnots);
 }
 
 double EstimateEvaluation(const CellFigures& cell, const LagGrid& lags, bool withGradient)

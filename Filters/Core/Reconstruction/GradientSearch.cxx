@@ -277,6 +277,6 @@ Estimate EstimateGradientSearch(const CellFigures& cell, const LagGrid& lags, in
 {
   return { cell.Spheres * SecondsPerStartedSphere +
       (iterations + 1.0) * EstimateEvaluation(cell, lags, true),
-    cell.Spheres * 1000.0 / BytesOfMegabyte, 0.0 };
+    (cell.Spheres * 1000.0 + EstimateObjectiveBytes(cell, lags)) / BytesOfMegabyte, 0.0 };
 }
 }

@@ -6,12 +6,32 @@
 #include "vtkRUCParticleModes.h"
 #include "vtkRUCPeriodicReplicas.h"
 
+#include <limits>
+
 using Modes = vtkRUCParticleModes;
 using Replicas = vtkRUCPeriodicReplicas;
 
 TEST(ParticleModesRefusals, NoPoints)
 {
   RefusesPack<Modes>({ "Particle Modes", "no points" }, [](auto& p) { p = {}; });
+}
+
+TEST(ParticleModesRefusals, TooLittleMemory)
+{
+  RefusesSettings<Modes>(
+    { "Particle Modes", "MemoryLimit requires at least", "MB on every rank", "got 0.001" },
+    [](Modes* f) { f->SetMemoryLimit(0.001); });
+}
+
+// Not a list of so many diameters
+TEST(ParticleModesRefusals, AnEdgeFarBehindTheOthers)
+{
+  vtkNew<Modes> filter;
+  const Errors errors(filter);
+  filter->SetEdge(std::numeric_limits<int>::max(), 1.0);
+  filter->SetEdge(-1, 1.0);
+  EXPECT_EQ(filter->GetNumberOfEdges(), 0);
+  EXPECT_EQ(errors.Texts.size(), 2u);
 }
 
 TEST(ParticleModesRefusals, NoModesWanted)

@@ -95,6 +95,6 @@ TEST(MemoryRefusals, LargeMask)
     filter->SetMaskConnection(producer->GetOutputPort());
     filter->Update();
     ExpectRefusal(filter, errors,
-      { "MemoryLimit requires at least", margin == 0.0 ? " 320" : " 880", "MB on every rank" });
+      { "MemoryLimit requires at least", margin == 0.0 ? " 320" : " 400", "MB on every rank" });
   }
 }

@@ -33,6 +33,35 @@ SpherePack PackIn(const Window& window, const std::vector<double>& radii, std::u
 }
 }
 
+TEST(PackShare, AModeOfTinySpheresKeepsItsVolume)
+{
+  const Window box = oracle::PeriodicCube(10.0);
+  for (double tiny : { 1e-2, 1e-3, 1e-5, 1e-6, 1e-12 })
+  {
+    SpherePack pack = oracle::RandomPack({ 1, 40 }, { 1.0, tiny }, box, 5);
+    for (std::size_t i = 1; i < pack.Size(); i += 2)
+    {
+      pack.Radius[i] *= 0.5;
+    }
+    const double cubes = 20 * std::pow(tiny, 3) * (1.0 + 0.125);
+    const double squares = 20 * tiny * tiny * (1.0 + 0.25);
+    for (int size : { 1, 3 })
+    {
+      oracle::ThreadRanks::Run(size,
+        [&](ruc::Communicator& ranks)
+        {
+          const ruc::PackShare share =
+            ruc::SharePack(oracle::PieceOf(pack, ranks.Rank(), size, false), box, true, ranks);
+          // Half a unit of 2^-50 of the largest sphere's cube, or of the mode's largest where that
+          // is smaller by more than 2^10
+          EXPECT_NEAR(share.Volume[1] / (4.0 / 3.0 * oracle::Pi * cubes), 1.0, 1e-6);
+          EXPECT_NEAR(share.Surface[1] / (4.0 * oracle::Pi * squares), 1.0, 1e-6);
+          EXPECT_EQ(share.Volume, ruc::SharePack(pack, box).Volume);
+        });
+    }
+  }
+}
+
 TEST(PackShare, EverySphereHasOneOwnerAndSharesAreEven)
 {
   const Window box = oracle::PeriodicCube(10.0);

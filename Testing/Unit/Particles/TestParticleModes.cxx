@@ -237,3 +237,17 @@ TEST(ParticleModes, AreTheSameForAnySharing)
     }
   }
 }
+
+TEST(ParticleModes, AModeOfTinySpheresKeepsItsVolume)
+{
+  for (double tiny : { 1e-3, 1e-5, 1e-6, 1e-12 })
+  {
+    std::vector<double> diameters = { 2.0 };
+    diameters.insert(diameters.end(), 30, 2.0 * tiny);
+    const ParticleModes modes(diameters, Settings(ModeMethod::OnePerSize, 0));
+    ASSERT_EQ(modes.NumberOfModes(), 2);
+    EXPECT_NEAR(modes.Summary(1).VolumeMeanDiameter / (2.0 * tiny), 1.0, 1e-6);
+    EXPECT_NEAR(
+      modes.Summary(1).Volume / (30 * 4.0 / 3.0 * oracle::Pi * std::pow(tiny, 3)), 1.0, 1e-6);
+  }
+}

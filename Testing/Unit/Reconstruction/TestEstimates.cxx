@@ -132,6 +132,20 @@ TEST(Estimates, GrowWithTheSamples)
   EXPECT_EQ(memory(2, true, 1e6), memory(2, true, 1e3));
 }
 
+// The tables have a knot every so many parts of the smallest radius up to the last lag, and no
+// fewer numbers than an objective has
+TEST(Estimates, OfAnObjectiveGrowsWithTheRatioOfItsRadii)
+{
+  ruc::CellContents contents = { { 5, 15 }, { 1.0, 1e-3 }, 4.0 };
+  const ruc::LagGrid lags = { 0.2, 10 };
+  const double bytes = ruc::EstimateObjectiveBytes(ruc::FiguresOf(contents), lags);
+  const ruc::PairHistogram histogram({ { 1, 1.0 }, { 2, 1e-3 } }, lags, ruc::SearchKnots);
+  EXPECT_GT(bytes, 4.0 * sizeof(double) * histogram.Size());
+  EXPECT_LT(bytes, 10.0 * sizeof(double) * histogram.Size());
+  contents.Radius[1] = 1e-6;
+  EXPECT_NEAR(ruc::EstimateObjectiveBytes(ruc::FiguresOf(contents), lags) / bytes, 1e3, 10.0);
+}
+
 TEST(Estimates, OfSearchesGrowWithTheirIterations)
 {
   ruc::CellFigures cell;

@@ -5,6 +5,8 @@
 #include "ruc/Base/Require.h"
 #include "ruc/Reconstruction/CellStart.h"
 
+#include <omp.h>
+
 #include <numeric>
 
 namespace ruc
@@ -45,6 +47,10 @@ Estimate EstimatePopulationSearch(
   const double children = settings.RefinementSteps > 0 ? 0.0 : settings.MatingPool;
   return { settings.Population * member +
       static_cast<double>(settings.MaximumGenerations) * (children * child + descent),
-    settings.Population * cell.Spheres * 24.0 / BytesOfMegabyte, 0.0 };
+    // Members as they are and as they are handed round; an objective of the rank and one a thread
+    (settings.Population * cell.Spheres * 48.0 +
+      (1.0 + omp_get_max_threads()) * EstimateObjectiveBytes(cell, lags)) /
+      BytesOfMegabyte,
+    0.0 };
 }
 }

@@ -2,15 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Statistics/PairSums/PairHistogram.h"
 
+#include "ruc/Base/Text.h"
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace ruc
 {
+namespace
+{
+constexpr double MostNumbers = 1 << 30; // half of what 31 bits hold, as they are estimated
+}
+
 PairHistogram::PairHistogram(
   std::vector<SphereType> types, const LagGrid& lags, const KnotResolution& resolution)
   : Types(std::move(types))
 {
+  const double size = EstimateSize(this->Types, lags, resolution);
+  if (!(size < MostNumbers))
+  {
+    throw std::invalid_argument(
+      Text("The radii of the modes require tables of at most ", MostNumbers, " numbers, got ", size,
+        ": the smallest spheres are too small beside the largest and the last lag. Leave them out, "
+        "or "
+        "take a smaller MaximumLag."));
+  }
   const int count = this->NumberOfTypes();
   this->Lookups.resize(count * count);
   this->ClassBegin.push_back(0);
@@ -34,14 +51,16 @@ PairHistogram::PairHistogram(
   }
 }
 
-double PairHistogram::EstimateSize(const std::vector<SphereType>& types, const LagGrid& lags)
+double PairHistogram::EstimateSize(
+  const std::vector<SphereType>& types, const LagGrid& lags, const KnotResolution& resolution)
 {
   double numbers = 0.0;
   for (const SphereType& a : types)
   {
     for (const SphereType& b : types)
     {
-      const double spacing = PairKernel::KnotSpacing(std::min(a.Radius, b.Radius), lags);
+      const double spacing =
+        PairKernel::KnotSpacing(std::min(a.Radius, b.Radius), lags, resolution);
       // Two numbers for each knot, but classes are unordered and met twice here
       numbers += (lags.Maximum() + a.Radius + b.Radius) / spacing;
     }
@@ -49,14 +68,15 @@ double PairHistogram::EstimateSize(const std::vector<SphereType>& types, const L
   return numbers;
 }
 
-double PairHistogram::EstimateTables(const std::vector<SphereType>& types, const LagGrid& lags)
+double PairHistogram::EstimateTables(
+  const std::vector<SphereType>& types, const LagGrid& lags, const KnotResolution& resolution)
 {
   double bytes = 0.0;
   for (std::size_t p = 0; p < types.size(); ++p)
   {
     for (std::size_t q = p; q < types.size(); ++q)
     {
-      bytes += PairKernel::TableBytes(types[p].Radius, types[q].Radius, lags);
+      bytes += PairKernel::TableBytes(types[p].Radius, types[q].Radius, lags, resolution);
     }
   }
   return bytes;

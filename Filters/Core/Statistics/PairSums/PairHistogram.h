@@ -43,6 +43,8 @@ struct SphereType
 class PairHistogram
 {
 public:
+  /** Throws std::invalid_argument for so many numbers that a place among them takes more than 31
+   * bits, as with radii that differ by a factor of a hundred million. */
   PairHistogram(std::vector<SphereType> types, const LagGrid& lags,
     const KnotResolution& resolution = ExactKnots);
 
@@ -70,10 +72,12 @@ public:
    * How many numbers a histogram for these types would hold, without making its tables, to decide
    * whether they are few enough.
    */
-  static double EstimateSize(const std::vector<SphereType>& types, const LagGrid& lags);
+  static double EstimateSize(const std::vector<SphereType>& types, const LagGrid& lags,
+    const KnotResolution& resolution = ExactKnots);
 
   /** How many bytes the tables of all classes would take. */
-  static double EstimateTables(const std::vector<SphereType>& types, const LagGrid& lags);
+  static double EstimateTables(const std::vector<SphereType>& types, const LagGrid& lags,
+    const KnotResolution& resolution = ExactKnots);
 
   /**
    * Returns the largest power of two by which weights up to `heaviest` may be scaled to integers

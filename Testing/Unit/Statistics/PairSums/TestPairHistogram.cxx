@@ -109,3 +109,9 @@ TEST(PairHistogram, CountedPairsGiveTheSumOfTheirOverlaps)
     }
   }
 }
+
+TEST(PairHistogram, SizesThatAreTooDifferentAreRefused)
+{
+  EXPECT_SAYS(ruc::PairHistogram({ { 1, 1.0 }, { 2, 1e-9 } }, { 0.1, 30 }),
+    "The radii of the modes require tables of at most 1.07374e+09 numbers, got");
+}
