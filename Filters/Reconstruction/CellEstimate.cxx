@@ -5,7 +5,6 @@
 #include "PackEstimate.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
-#include "ruc/Statistics/PairSums/PairKernel.h"
 #include "ruc/Statistics/Results/LagLimit.h"
 
 #include "vtkTable.h"
@@ -58,10 +57,6 @@ ruc::Estimate OfSearch(const ruc::CellFigures& cell, const ruc::LagGrid& lags,
   ruc::Estimate estimate = search.IsByPopulation()
     ? ruc::EstimatePopulationSearch(cell, lags, search.FindPopulation())
     : ruc::EstimateGradientSearch(cell, lags, search.Gradient.MaximumIterations);
-  const double classes = 0.5 * cell.Modes * (cell.Modes + 1.0);
-  estimate.MegabytesOfRank += classes *
-    ruc::PairKernel::TableBytes(cell.LargestRadius, cell.LargestRadius, lags, ruc::SearchKnots) /
-    ruc::BytesOfMegabyte;
   estimate.Seconds = std::min(estimate.Seconds * search.NumberOfCells, longest);
   return estimate;
 }
@@ -79,8 +74,16 @@ ruc::Estimate CellEstimate::OfPack(const ruc::PackFigures& pack, const CellPrope
     edge = 2.0 * std::min(limit.Automatic, TypicalSaturation * pack.MeanDiameter);
   }
   const double density = pack.Density();
-  const ruc::CellFigures cell = { FindSpheres(properties, density, edge), density,
-    pack.LargestRadius, pack.Modes };
+  ruc::CellFigures cell = { FindSpheres(properties, density, edge), density, pack.LargestRadius,
+    pack.Modes, pack.ModeRadius };
+  if (!properties.ModeDiameters.empty())
+  {
+    cell.Radius.clear();
+    for (double diameter : properties.ModeDiameters)
+    {
+      cell.Radius.push_back(0.5 * diameter);
+    }
+  }
   estimate.Automatic = DescribeSize(properties, cell);
   const ruc::LagGrid lags =
     ruc::LagLimit::ForCell(FindEdge(cell)).MakeGrid(properties.MaximumLag, properties.NumberOfLags);
@@ -92,6 +95,12 @@ ruc::Estimate CellEstimate::OfPack(const ruc::PackFigures& pack, const CellPrope
   estimate += ruc::EstimatePairSum(pack, lags);
   estimate += OfSearch(cell, lags, search, longestSearch);
   return estimate;
+}
+
+double CellEstimate::MegabytesOf(
+  const ruc::CellContents& contents, const ruc::LagGrid& lags, const CellSearch::Settings& search)
+{
+  return OfSearch(ruc::FiguresOf(contents), lags, search, 0.0).MegabytesOfRank;
 }
 
 std::optional<ruc::Estimate> CellEstimate::OfTable(vtkTable* table,

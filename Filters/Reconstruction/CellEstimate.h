@@ -22,4 +22,8 @@ ruc::Estimate OfPack(const ruc::PackFigures& pack, const CellProperties& propert
   const CellSearch::Settings& search, double longestSearch);
 std::optional<ruc::Estimate> OfTable(vtkTable* table, const CellProperties& properties,
   const CellSearch::Settings& search, double longestSearch);
+
+/** What a search for a cell of known contents takes on a rank. */
+double MegabytesOf(
+  const ruc::CellContents& contents, const ruc::LagGrid& lags, const CellSearch::Settings& search);
 }

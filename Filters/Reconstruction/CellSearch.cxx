@@ -5,6 +5,7 @@
 #include "CheckpointFile.h"
 #include "RankCommunicator.h"
 #include "RankSignal.h"
+#include "ruc/Base/Bytes.h"
 #include "ruc/Reconstruction/SearchCheckpoint.h"
 
 #include <algorithm>
@@ -20,9 +21,9 @@ struct ByGradient
   using Settings = ruc::GradientSearchSettings;
   using State = ruc::GradientState;
   static Settings Of(const CellSearch::Settings& settings) { return settings.Gradient; }
-  static State Read(const std::string& bytes, const ruc::SearchKey& key)
+  static State Read(const std::string& bytes, const ruc::SearchKey& key, ruc::SearchStops& stops)
   {
-    return ruc::ReadGradientCheckpoint(bytes, key);
+    return ruc::ReadGradientCheckpoint(bytes, key, &stops);
   }
   static void Run(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
     const Settings& settings, RankCommunicator& ranks,
@@ -41,9 +42,9 @@ struct ByPopulation
   using Settings = ruc::PopulationSettings;
   using State = ruc::PopulationState;
   static Settings Of(const CellSearch::Settings& settings) { return settings.FindPopulation(); }
-  static State Read(const std::string& bytes, const ruc::SearchKey& key)
+  static State Read(const std::string& bytes, const ruc::SearchKey& key, ruc::SearchStops& stops)
   {
-    return ruc::ReadPopulationCheckpoint(bytes, key);
+    return ruc::ReadPopulationCheckpoint(bytes, key, &stops);
   }
   static void Run(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
     const Settings& settings, RankCommunicator& ranks,
@@ -62,6 +63,28 @@ CellSearch::FoundCell NewCell(int number, const ruc::TwoPointProbability& target
 {
   const ruc::TwoPointProbability none(target.Modes, target.Lags);
   return { number, { {}, ruc::Window(), 0.0, 0.0, {}, 0, ruc::EndReason::None, none, {} }, {}, {} };
+}
+
+// Throws where a cell that was read cannot be one of these contents and this target
+void RequireFit(const CellSearch::FoundCell& found, const ruc::CellContents& contents,
+  const ruc::TwoPointProbability& target)
+{
+  const std::size_t spheres = contents.NumberOfSpheres(), lags = target.Lags.Count + 1;
+  const ruc::SpherePack expected = contents.MakePack(std::vector<double>(3 * spheres).data());
+  const ruc::SpherePack& pack = found.Cell.Pack;
+  const ruc::TwoPointProbability& s = found.Cell.Probability;
+  const bool fits = pack.X.size() == spheres && pack.Y.size() == spheres &&
+    pack.Z.size() == spheres && pack.Radius == expected.Radius && pack.Mode == expected.Mode &&
+    pack.Id == expected.Id && found.Cell.Box == contents.MakeBox() &&
+    !found.Cell.Convergence.empty() && ruc::IsFromOutside(found.Cell.EndedBy) &&
+    s.Modes == target.Modes && s.Lags.Count == target.Lags.Count &&
+    s.Fractions.size() == target.Fractions.size() && s.Values.size() == target.Values.size() &&
+    std::all_of(s.Values.begin(), s.Values.end(),
+      [&](const std::vector<double>& values) { return values.size() == lags; });
+  if (!fits)
+  {
+    throw std::invalid_argument("The checkpoint is damaged: its cell is of another search.");
+  }
 }
 
 template <class Method>
@@ -85,8 +108,8 @@ public:
     std::int64_t stopped = 0;
     for (Search& search : this->Rounds)
     {
-      search.Begun = stopped == 0;
-      if (search.Begun)
+      search.Begun = stopped == 0 || search.Found.IsShown;
+      if (stopped == 0)
       {
         stopped = this->RunOne(search);
         this->Ranks.Sum(&stopped, 1);
@@ -104,7 +127,7 @@ private:
     typename Method::Settings Settings;
     CheckpointFile File;
     std::optional<typename Method::State> State; // to resume from; later the last
-    CellSearch::FoundCell Found;
+    CellSearch::FoundCell Found; // of a search that is shown as it was, from the file
     bool Begun;
   };
 
@@ -133,7 +156,7 @@ private:
         const std::string bytes = search.File.Read(*search.Group);
         if (!bytes.empty())
         {
-          search.State = Method::Read(bytes, this->KeyOf(search));
+          this->TakeCheckpoint(search, bytes);
         }
       }
       catch (const std::invalid_argument& e)
@@ -144,19 +167,52 @@ private:
     this->Ranks.ThrowIfAny(error);
   }
 
+  void TakeCheckpoint(Search& search, const std::string& bytes) const
+  {
+    ruc::SearchStops stops;
+    typename Method::State state = Method::Read(bytes, this->KeyOf(search), stops);
+    if (!stops.BeforeState)
+    {
+      search.State = std::move(state);
+    }
+    const int passed = this->Settings.ContinueAfterStops;
+    if (!stops.Shown.empty() && passed >= 0 && stops.Count > passed)
+    {
+      ruc::FromBytes(stops.Shown, search.Found);
+      RequireFit(search.Found, this->Contents, this->Target);
+      search.Found.Number = search.Number;
+      search.Found.IsShown = true;
+    }
+    search.Found.Stops = stops.Count;
+  }
+
   ruc::SearchKey KeyOf(const Search& search) const
   {
     return ruc::MakeKey(this->Contents, this->Target, search.Settings);
   }
 
-  // Whether it was stopped
+  // Whether it was stopped, now or before
   bool RunOne(Search& search)
   {
+    RankSignal signal(this->Ranks);
+    if (!search.Found.IsShown)
+    {
+      this->RunSearch(search, signal);
+    }
+    signal.Close(
+      [&]()
+      {
+        return static_cast<int>(
+          this->Callbacks.StopReason(search.Number, search.Found.Cell.Convergence.back()));
+      });
+    return ruc::IsFromOutside(search.Found.Cell.EndedBy);
+  }
+
+  void RunSearch(Search& search, RankSignal& signal)
+  {
     const bool first = search.Group->Rank() == 0;
-    const ruc::SearchKey key = this->KeyOf(search);
     const std::optional<typename Method::State> resume = std::move(search.State);
     search.State.reset();
-    RankSignal signal(this->Ranks);
     ruc::EndReason reason = ruc::EndReason::None;
     Method::Run(
       this->Contents, this->Target, search.Settings, *search.Group,
@@ -183,34 +239,34 @@ private:
           search.State = state;
           if (search.File.IsDue())
           {
-            this->Write(search, key);
+            this->Write(search, state, { search.Found.Stops, false, {} });
           }
         }
       },
       search.Found);
-    if (search.State)
-    {
-      this->Write(search, key);
-      search.State.reset();
-    }
-    signal.Close(
-      [&]()
-      {
-        return static_cast<int>(
-          this->Callbacks.StopReason(search.Number, search.Found.Cell.Convergence.back()));
-      });
     const bool stopped = search.Found.Cell.EndedBy == ruc::EndReason::Stopped;
     if (stopped)
     {
       search.Group->Broadcast(reason, search.Group->LowestRank(reason != ruc::EndReason::None));
       search.Found.Cell.EndedBy = reason;
+      ++search.Found.Stops;
     }
-    return stopped;
+    if (first && search.File.IsWanted() && (search.State || stopped))
+    {
+      const bool isNew = !search.State && !resume;
+      this->Write(search,
+        search.State ? *search.State
+          : resume   ? *resume
+                     : typename Method::State(),
+        { search.Found.Stops, isNew, stopped ? ruc::ToBytes(search.Found) : std::string() });
+    }
+    search.State.reset();
   }
 
-  void Write(Search& search, const ruc::SearchKey& key)
+  void Write(Search& search, const typename Method::State& state, const ruc::SearchStops& stops)
   {
-    const std::string error = search.File.Write(ruc::WriteCheckpoint(*search.State, key));
+    const std::string error =
+      search.File.Write(ruc::WriteCheckpoint(state, this->KeyOf(search), stops));
     if (!error.empty() && !this->Warned)
     {
       this->Warned = true;

@@ -31,6 +31,9 @@ struct Settings
   int NumberOfCells = 1;            // cell n, from 0, has the seed of the settings plus n
   std::string CheckpointFile;       // of one cell; of several this is followed by "." and n + 1
   double CheckpointInterval = 60.0; // seconds
+  /** A search goes on from its checkpoint after so many stops; one that was stopped more often is
+   * shown as it was. -1: it always goes on. */
+  int ContinueAfterStops = 0;
 
   /** As of ruc::SearchSettings; its own, without those of the methods. */
   template <class Self, class Visit>
@@ -39,6 +42,7 @@ struct Settings
     visit("Method", self.Method, ruc::Range::From(GRADIENT, HYBRID));
     visit("NumberOfCells", self.NumberOfCells, ruc::Range::AtLeast(1));
     visit("CheckpointInterval", self.CheckpointInterval, ruc::Range::AtLeast(0));
+    visit("ContinueAfterStops", self.ContinueAfterStops, ruc::Range::AtLeast(-1));
   }
   template <class Self, class Visit>
   static void VisitEnd(Self&, Visit&&)
@@ -61,11 +65,13 @@ struct FoundCell
   ruc::UnitCell Cell;
   // F2 of the population before and after; of a gradient search that of the start and of the cell
   ruc::ObjectiveRange Before, After;
+  int Stops = 0;        // how often its search was ended from outside so far
+  bool IsShown = false; // as it was when it was stopped, without a search
 
   template <class Self>
   static auto Fields(Self& self)
   {
-    return std::tie(self.Number, self.Cell, self.Before, self.After);
+    return std::tie(self.Number, self.Cell, self.Before, self.After, self.Stops, self.IsShown);
   }
 };
 
@@ -88,8 +94,10 @@ struct Callbacks
  * groups of ranks. After a round in which one was stopped no other begins, so that cells may be
  * missing; there is at least one. EndedBy of a cell that was stopped is the reason.
  *
- * A search goes on from its checkpoint where the file is there. Throws std::invalid_argument, the
- * same on every rank, for a checkpoint that is not of this search.
+ * A search goes on from its checkpoint where the file is there, unless it was stopped more often
+ * than ContinueAfterStops: then the cell is the one that it had when it was stopped, bit by bit.
+ * Throws std::invalid_argument, the same on every rank, for a checkpoint that is not of this
+ * search.
  */
 std::vector<FoundCell> Find(const ruc::CellContents& contents,
   const ruc::TwoPointProbability& target, const Settings& settings, const Callbacks& callbacks,

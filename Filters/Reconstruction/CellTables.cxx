@@ -114,6 +114,7 @@ void AddCellFields(
   whole("Iterations", cell.Iterations);
   PackData::AddField(data, "EndedBy", std::string(ruc::NameOf(cell.EndedBy)));
   whole("Stopped", ruc::IsFromOutside(cell.EndedBy));
+  whole("Stops", found.Stops);
 }
 
 void FillAllCells(

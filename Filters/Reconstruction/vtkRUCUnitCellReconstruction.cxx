@@ -3,6 +3,7 @@
 #include "vtkRUCUnitCellReconstruction.h"
 
 #include "CellEstimate.h"
+#include "CellMessages.h"
 #include "CellTables.h"
 #include "PackData.h"
 #include "PackEstimate.h"
@@ -24,7 +25,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <limits>
 
 vtkStandardNewMacro(vtkRUCUnitCellReconstruction);
@@ -248,6 +248,7 @@ void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents
   vtkInformationVector* outputs, RankCommunicator& ranks, ProgressReport& report)
 {
   ruc::LagLimit::ForCell(contents.Edge).Check(target.Lags);
+  this->RequireMemory(CellEstimate::MegabytesOf(contents, target.Lags, this->Search), ranks);
   const double most = this->Search.IsByPopulation() ? this->Search.Annealed.MaximumGenerations + 1.0
                                                     : this->Search.Gradient.MaximumIterations + 3.0;
   CellSearch::Callbacks callbacks;
@@ -256,7 +257,7 @@ void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents
     if (ranks.Rank() == 0)
     {
       report.Tell((cell + state.Iteration / most) / this->Search.NumberOfCells,
-        this->DescribeProgress(cell, state));
+        CellMessages::DescribeProgress(cell, state, this->Search));
     }
     return this->FindStopReason(report, ranks.Rank() == 0);
   };
@@ -267,53 +268,10 @@ void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents
     { cells, contents, target, this->Search, lengthUnit }, outputs, ranks.Rank() == 0);
   if (ranks.Rank() == 0)
   {
-    this->WarnOf(cells);
-  }
-}
-
-RunProgress vtkRUCUnitCellReconstruction::DescribeProgress(
-  int cell, const ruc::SearchState& state) const
-{
-  RunProgress progress;
-  progress.Activity =
-    ruc::Text(this->Search.NumberOfCells > 1 ? ruc::Text("cell ", cell + 1, ", ") : std::string(),
-      ruc::NameOf(state.Phase), ", ", this->Search.IsByPopulation() ? "generation " : "iteration ",
-      state.Iteration, ", overlap ", std::setprecision(2), state.OverlapPercent, " %");
-  progress.Stoppable = true;
-  progress.Quantity = "F2";
-  progress.Value = state.Objective;
-  return progress;
-}
-
-void vtkRUCUnitCellReconstruction::WarnOf(const std::vector<CellSearch::FoundCell>& cells)
-{
-  for (const CellSearch::FoundCell& found : cells)
-  {
-    const ruc::PackOverlap& overlap = found.Cell.Overlap;
-    if (!overlap.IsNone())
+    for (const std::string& warning : CellMessages::FindWarnings(cells, this->Search))
     {
-      vtkWarningMacro(<< "cell " << found.Number + 1 << " still has overlap, " << overlap.Percent
-                      << " % of the spheres' volume in " << overlap.Pairs << " pairs"
-                      << (ruc::IsFromOutside(found.Cell.EndedBy) ? "; it was stopped early."
-                                                                 : "; it is too dense to free."));
+      vtkWarningMacro(<< warning);
     }
-  }
-  const bool byHand = std::any_of(cells.begin(), cells.end(),
-    [](const CellSearch::FoundCell& found)
-    {
-      return found.Cell.EndedBy == ruc::EndReason::StopButton ||
-        found.Cell.EndedBy == ruc::EndReason::Abort;
-    });
-  if (byHand && this->Search.CheckpointFile.empty())
-  {
-    vtkWarningMacro(<< "stopped by hand; a state file does not keep the cell and searches anew "
-                       "when it is loaded. Save the data, or set CheckpointFile.");
-  }
-  const std::size_t wanted = this->Search.NumberOfCells;
-  if (cells.size() < wanted)
-  {
-    vtkWarningMacro(<< "stopped before " << wanted - cells.size() << " of " << wanted
-                    << " cells were begun.");
   }
 }
 

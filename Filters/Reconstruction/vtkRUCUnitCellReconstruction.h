@@ -40,7 +40,8 @@
  *
  * With a CheckpointFile the state of a search is written every CheckpointInterval seconds and at
  * its end, always to a new file that then replaces the last one. A search whose file is there goes
- * on from it, to the same end, bit by bit, on any number of ranks.
+ * on from it, to the same end, bit by bit, on any number of ranks. One that was ended from outside
+ * more often than ContinueAfterStops is shown as it was instead; `Stops` is how often that was.
  *
  * Every iteration asks whether to stop: by the time limit, by the stop file, by a
  * vtkRUCStopRequest, or by SetAbortExecute from an observer of progress. The best cells so far are
@@ -58,7 +59,6 @@
 #include <vector>
 
 class ProgressReport;
-struct RunProgress;
 
 /** The setter and the getter of a property that stands at `place`, a setting of the core. */
 #define RUCSetting(name, type, place)                                                              \
@@ -133,6 +133,9 @@ public:
   const char* GetCheckpointFile() const { return this->Search.CheckpointFile.c_str(); }
   /** Seconds between two states that are written. */
   RUCSetting(CheckpointInterval, double, Search.CheckpointInterval);
+  /** A search that was ended from outside more often than this is shown as it was, from its
+   * checkpoint; else it goes on. Default: 0; -1: it always goes on. */
+  RUCSetting(ContinueAfterStops, int, Search.ContinueAfterStops);
 
   // Annealed Population, and the last four before the weights of Hybrid. Defaults and ranges stand
   // in Core/Reconstruction/Population/PopulationSettings.h.
@@ -210,8 +213,6 @@ private:
   void Reconstruct(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
     const std::string& lengthUnit, vtkInformationVector* outputs, RankCommunicator& ranks,
     ProgressReport& report);
-  RunProgress DescribeProgress(int cell, const ruc::SearchState& state) const;
-  void WarnOf(const std::vector<CellSearch::FoundCell>& cells);
 
   CellProperties Cell;
   CellSearch::Settings Search;

@@ -99,6 +99,37 @@ def test_cells():
     require(run(dict(settings, CheckpointFile=name))[1] == expected, 'three cells, two of which resume')
 
 
+def run_until_stopped(settings, name, limit):
+    """What a search says that is stopped by a TimeLimit, shorter on quicker machines; and its settings."""
+    for attempt in range(10):
+        limited = dict(settings, TimeLimit=limit / 2 ** attempt, CheckpointFile=f'{name}-{attempt}')
+        result = run(limited, 2)[1]
+        require(result is not None, name + ' gives a result')
+        if 'Time limit' in result:
+            return result, limited
+    sys.exit(f'FAILED: {name} is never stopped')
+
+
+def test_stopped():
+    """A search that was stopped is shown as it was, bit by bit, by whoever runs it again, until it shall go on; then it ends as if never stopped."""
+    # At once, before there is a state, and on the way
+    for label, settings, limit in (('gradient', {'MaximumIterations': 300}, 1e-9), ('hybrid', SEARCHES['hybrid'][0], 0.6),
+                                   ('cells', {'MaximumIterations': 300, 'NumberOfCells': 2}, 0.6)):
+        expected = run(settings)[1]
+        stopped, limited = run_until_stopped(settings, os.path.join(FOLDER, 'stopped-' + label), limit)
+        for ranks in (1, 2):
+            output, shown = run(limited, ranks)
+            require(shown == stopped, f'{label} is shown as it was, on {ranks} ranks')
+            require('ContinueAfterStops to 1' in output, f'{label} says how to go on, got {output[-300:]}')
+        run(dict(limited, TimeLimit=1e-9, ContinueAfterStops=-1))  # a second stop, at once
+        output, shown = run(dict(limited, ContinueAfterStops=1))
+        require('ContinueAfterStops to 2' in output and shown, f'{label} counts its stops, got {output[-300:]}')
+        require(run(dict(limited, TimeLimit=0, ContinueAfterStops=2))[1] == expected, f'{label} goes on to the same end')
+        print(label, 'stopped, shown and carried on', flush=True)
+    output = run({'TimeLimit': 1e-9})[0]
+    require(output.count('searches anew when it is loaded') == 1, f'it is said once that a state file does not keep a cell, got {output[-300:]}')
+
+
 def test_refused():
     """Files that are no checkpoint are refused with a reason and left as they are."""
     settings = {'MaximumIterations': 20}
@@ -188,6 +219,7 @@ if '--own-mounts' not in sys.argv:
             sys.exit(subprocess.run(unshare + inside).returncode)
 test_kills()
 test_cells()
+test_stopped()
 test_refused()
 test_neighbours()
 test_disk()

@@ -11,7 +11,7 @@ namespace ruc
 namespace
 {
 constexpr std::string_view Magic = "RUCSTATE";
-constexpr std::uint32_t Version = 1;
+constexpr std::uint32_t Version = 2;
 constexpr const char* What = "checkpoint";
 constexpr std::uint64_t GradientMethod = 1, PopulationMethod = 2;
 
@@ -44,9 +44,9 @@ std::uint64_t FingerprintOfSettings(const Settings& settings)
 }
 
 template <class State>
-std::string Write(const State& state, const SearchKey& key)
+std::string Write(const State& state, const SearchKey& key, const SearchStops& stops)
 {
-  const std::string body = ToBytes(key) + ToBytes(state);
+  const std::string body = ToBytes(key) + ToBytes(stops) + ToBytes(state);
   ByteWriter writer;
   writer.Bytes = Magic;
   writer.Put(Version);
@@ -97,7 +97,7 @@ std::string_view CheckedBody(std::string_view bytes)
 }
 
 template <class State>
-State Read(std::string_view bytes, const SearchKey& key)
+State Read(std::string_view bytes, const SearchKey& key, SearchStops* stops)
 {
   ByteReader reader(CheckedBody(bytes), What);
   const auto found = reader.Get<SearchKey>();
@@ -112,6 +112,8 @@ State Read(std::string_view bytes, const SearchKey& key)
   require(found.Contents, key.Contents, "cell has other contents");
   require(found.Target, key.Target, "target differs");
   require(found.Settings, key.Settings, "settings or seed differ");
+  SearchStops ignored;
+  reader.Get(stops ? *stops : ignored);
   State state;
   reader.Get(state);
   reader.Finish();
@@ -133,23 +135,27 @@ SearchKey MakeKey(const CellContents& contents, const TwoPointProbability& targe
     FingerprintOfSettings(settings) };
 }
 
-std::string WriteCheckpoint(const GradientState& state, const SearchKey& key)
+std::string WriteCheckpoint(
+  const GradientState& state, const SearchKey& key, const SearchStops& stops)
 {
-  return Write(state, key);
+  return Write(state, key, stops);
 }
 
-std::string WriteCheckpoint(const PopulationState& state, const SearchKey& key)
+std::string WriteCheckpoint(
+  const PopulationState& state, const SearchKey& key, const SearchStops& stops)
 {
-  return Write(state, key);
+  return Write(state, key, stops);
 }
 
-GradientState ReadGradientCheckpoint(std::string_view bytes, const SearchKey& key)
+GradientState ReadGradientCheckpoint(
+  std::string_view bytes, const SearchKey& key, SearchStops* stops)
 {
-  return Read<GradientState>(bytes, key);
+  return Read<GradientState>(bytes, key, stops);
 }
 
-PopulationState ReadPopulationCheckpoint(std::string_view bytes, const SearchKey& key)
+PopulationState ReadPopulationCheckpoint(
+  std::string_view bytes, const SearchKey& key, SearchStops* stops)
 {
-  return Read<PopulationState>(bytes, key);
+  return Read<PopulationState>(bytes, key, stops);
 }
 }

@@ -16,10 +16,10 @@ namespace ruc
  * @file
  * The state of a search as bytes, from which it is resumed (SearchByGradient, SearchByPopulation).
  *
- * The format has version 1, with all numbers in the byte order of the machine: the text "RUCSTATE";
+ * The format has version 2, with all numbers in the byte order of the machine: the text "RUCSTATE";
  * the version (32 bits); the length of what follows without the checksum (64 bits); the four
- * fingerprints (64 bits each); the state as Base/Bytes.h writes it; and the FNV-1a-64 checksum of
- * everything before (64 bits).
+ * fingerprints (64 bits each); the stops and the state as Base/Bytes.h writes them; and the FNV-1a-64
+ * checksum of everything before (64 bits).
  */
 
 /**
@@ -46,15 +46,33 @@ SearchKey MakeKey(const CellContents& contents, const TwoPointProbability& targe
 SearchKey MakeKey(const CellContents& contents, const TwoPointProbability& target,
   const PopulationSettings& settings);
 
-std::string WriteCheckpoint(const GradientState& state, const SearchKey& key);
-std::string WriteCheckpoint(const PopulationState& state, const SearchKey& key);
+/** How often a search was ended from outside before its end. */
+struct SearchStops
+{
+  int Count = 0;
+  bool BeforeState = false; // the last time there was no state yet: the search begins anew
+  std::string Shown;        // what its caller showed then, in bytes; empty once it goes on
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Count, self.BeforeState, self.Shown);
+  }
+};
+
+std::string WriteCheckpoint(
+  const GradientState& state, const SearchKey& key, const SearchStops& stops = {});
+std::string WriteCheckpoint(
+  const PopulationState& state, const SearchKey& key, const SearchStops& stops = {});
 
 /**
  * Reads what WriteCheckpoint wrote. Throws std::invalid_argument that says what is wrong with the
  * bytes: that they are no checkpoint, are of another version, truncated or damaged, or hold a value
  * that cannot be; or that they are of another search, and then whether its method, contents, target
- * or settings differ.
+ * or settings differ. `stops` is filled where it is not null.
  */
-GradientState ReadGradientCheckpoint(std::string_view bytes, const SearchKey& key);
-PopulationState ReadPopulationCheckpoint(std::string_view bytes, const SearchKey& key);
+GradientState ReadGradientCheckpoint(
+  std::string_view bytes, const SearchKey& key, SearchStops* stops = nullptr);
+PopulationState ReadPopulationCheckpoint(
+  std::string_view bytes, const SearchKey& key, SearchStops* stops = nullptr);
 }

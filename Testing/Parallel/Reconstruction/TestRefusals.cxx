@@ -73,6 +73,21 @@ TEST(CellRefusals, TooLittleMemory)
     [](Cell* f) { f->SetMemoryLimit(0.001); });
 }
 
+// The tables of the objective grow with the ratio of the radii
+TEST(CellRefusals, SpheresFarSmallerThanTheOthers)
+{
+  Refuses<Cell>({ Name, "MemoryLimit requires at least", "MB on every rank", "got 4000" },
+    { [](ruc::SpherePack& p)
+      {
+        for (std::size_t i = 0; i < p.Size(); ++i)
+        {
+          p.Radius[i] *= p.Mode[i] == 1 ? 1e-7 : 1.0;
+        }
+      },
+      {}, [](Cell* f) { f->SetNumberOfParticles(20); } },
+    true, Briefly);
+}
+
 TEST(CellRefusals, NegativeIterations)
 {
   RefusesCell(

@@ -136,11 +136,26 @@ TEST(SearchCheckpoint, KeepsEveryNumber)
   EXPECT_EQ(read.Descent.GradientChanges, state.Descent.GradientChanges);
 }
 
+TEST(SearchCheckpoint, KeepsTheStops)
+{
+  const ruc::SearchStops stops = { 3, true, std::string("shown\0then", 10) };
+  const std::string bytes = ruc::WriteCheckpoint(SmallState(), SmallKey, stops);
+  ruc::SearchStops read;
+  EXPECT_EQ(ruc::ReadPopulationCheckpoint(bytes, SmallKey, &read).Centres, SmallState().Centres);
+  EXPECT_EQ(read.Count, 3);
+  EXPECT_TRUE(read.BeforeState);
+  EXPECT_EQ(read.Shown, stops.Shown);
+  ruc::ReadPopulationCheckpoint(ruc::WriteCheckpoint(SmallState(), SmallKey), SmallKey, &read);
+  EXPECT_EQ(read.Count, 0);
+  EXPECT_FALSE(read.BeforeState);
+  EXPECT_TRUE(read.Shown.empty());
+}
+
 TEST(SearchCheckpoint, StartsAsTheHeaderSays)
 {
   const std::string bytes = ruc::WriteCheckpoint(SmallState(), SmallKey);
   EXPECT_EQ(bytes.substr(0, 8), "RUCSTATE");
-  EXPECT_EQ(bytes.substr(8, 4), std::string("\1\0\0\0", 4));
+  EXPECT_EQ(bytes.substr(8, 4), std::string("\2\0\0\0", 4));
   std::uint64_t length = 0, key = 0, checksum = 0;
   std::memcpy(&length, &bytes[12], 8);
   EXPECT_EQ(length, bytes.size() - 28);
@@ -220,8 +235,8 @@ TEST(SearchCheckpoint, OtherBytesAreRefused)
   EXPECT_NE(Refusal("x,y,z,radius\n1,2,3,4\n").find("no checkpoint"), std::string::npos);
   EXPECT_NE(Refusal(std::string(1000, '\0')).find("no checkpoint"), std::string::npos);
   std::string later = ruc::WriteCheckpoint(SmallState(), SmallKey);
-  later[8] = 2;
-  EXPECT_NE(Refusal(later).find("of version 2, this program reads version 1"), std::string::npos);
+  later[8] = 3;
+  EXPECT_NE(Refusal(later).find("of version 3, this program reads version 2"), std::string::npos);
 }
 
 TEST(SearchCheckpoint, OfAnotherSearchIsRefusedWithTheReason)

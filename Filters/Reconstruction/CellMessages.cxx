@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellMessages.h"
+
+#include "ruc/Base/Text.h"
+
+#include <algorithm>
+#include <iomanip>
+
+using ruc::Text;
+
+RunProgress CellMessages::DescribeProgress(
+  int cell, const ruc::SearchState& state, const CellSearch::Settings& settings)
+{
+  RunProgress progress;
+  progress.Activity =
+    Text(settings.NumberOfCells > 1 ? Text("cell ", cell + 1, ", ") : std::string(),
+      ruc::NameOf(state.Phase), ", ", settings.IsByPopulation() ? "generation " : "iteration ",
+      state.Iteration, ", overlap ", std::setprecision(2), state.OverlapPercent, " %");
+  progress.Stoppable = true;
+  progress.Quantity = "F2";
+  progress.Value = state.Objective;
+  return progress;
+}
+
+std::vector<std::string> CellMessages::FindWarnings(
+  const std::vector<CellSearch::FoundCell>& cells, const CellSearch::Settings& settings)
+{
+  std::vector<std::string> warnings;
+  for (const CellSearch::FoundCell& found : cells)
+  {
+    const ruc::PackOverlap& overlap = found.Cell.Overlap;
+    if (!overlap.IsNone())
+    {
+      warnings.push_back(Text("cell ", found.Number + 1, " still has overlap, ", overlap.Percent,
+        " % of the spheres' volume in ", overlap.Pairs, " pairs",
+        ruc::IsFromOutside(found.Cell.EndedBy) ? "; it was stopped early."
+                                               : "; it is too dense to free."));
+    }
+  }
+  const auto wasStopped = [](const CellSearch::FoundCell& found)
+  { return ruc::IsFromOutside(found.Cell.EndedBy); };
+  const auto stopped = std::find_if(cells.begin(), cells.end(), wasStopped);
+  if (stopped == cells.end())
+  {
+    return warnings;
+  }
+  const char* why = ruc::NameOf(stopped->Cell.EndedBy);
+  if (stopped->IsShown)
+  {
+    warnings.push_back(Text("shown as it was when it was stopped (", why,
+      "), from its CheckpointFile; to go on, set ContinueAfterStops to ", stopped->Stops, "."));
+  }
+  else if (settings.CheckpointFile.empty())
+  {
+    warnings.push_back(Text("stopped (", why,
+      "); a state file does not keep the cell and searches anew when it is loaded. Save the data, "
+      "or set CheckpointFile."));
+  }
+  const std::size_t wanted = settings.NumberOfCells;
+  if (cells.size() < wanted)
+  {
+    warnings.push_back(
+      Text("stopped before ", wanted - cells.size(), " of ", wanted, " cells were begun."));
+  }
+  return warnings;
+}
