@@ -6,13 +6,16 @@
 #include "RegularFile.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Formats/SpherePackText.h"
+#include "ruc/Particles/PackOverview.h"
 #include "ruc/Particles/PeriodicReplicas.h"
 
 #include "vtkInformationVector.h"
+#include "vtkLogger.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 #include <exception>
+#include <optional>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkRUCSpherePackReader);
@@ -32,14 +35,18 @@ int vtkRUCSpherePackReader::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->Initialize();
+  this->Summary.clear();
   try
   {
     this->Read(output);
   }
   catch (const std::exception& e) // also where there is not enough memory
   {
+    const std::string refusal = ruc::Text("FileName '", this->FileName, "': ", e.what());
     output->Initialize();
-    vtkErrorMacro(<< "Sphere Pack Reader, FileName '" << this->FileName << "': " << e.what());
+    PackData::AddField(
+      output, PackData::RefusalField, this->GetObjectDescription() + ", " + refusal);
+    vtkErrorMacro(<< refusal);
   }
   // The request does not fail: the other ranks, which read nothing, would wait for this one in the
   // filters downstream.
@@ -55,45 +62,65 @@ void vtkRUCSpherePackReader::Read(vtkPolyData* output)
   settings.RadiusIsDiameter = this->RadiusIsDiameter;
   settings.Scale = this->Scale;
   ruc::SpherePackText spheres = ruc::ParseSpherePack(text, settings);
-
-  const bool hasBox = this->BoxSize[0] != 0.0 || this->BoxSize[1] != 0.0 || this->BoxSize[2] != 0.0;
-  if (hasBox)
+  for (const std::string& column : spheres.LeftOut)
   {
-    const ruc::Window window =
-      ruc::Window::MakeBox({ this->BoxOrigin[0], this->BoxOrigin[1], this->BoxOrigin[2] },
-        { this->BoxSize[0], this->BoxSize[1], this->BoxSize[2] },
-        { this->BoxPeriodic[0] != 0, this->BoxPeriodic[1] != 0, this->BoxPeriodic[2] != 0 });
-    const std::vector<bool> copies = ruc::FindPeriodicCopies(spheres.Pack, window);
-    ruc::SpherePackText once;
-    for (std::size_t i = 0; i < copies.size(); ++i)
-    {
-      if (!copies[i])
-      {
-        once.Append(spheres, i);
-      }
-    }
-    const std::size_t ghosts = copies.size() - once.Pack.Size();
-    for (std::size_t i = 0; i < once.Pack.Size(); ++i)
-    {
-      if (!window.Contains(once.Pack.Centre(i)))
-      {
-        throw std::invalid_argument(ruc::Text("Line ", once.Line[i],
-          ": BoxOrigin and BoxSize require every centre inside the box, got (", once.Pack.X[i],
-          ", ", once.Pack.Y[i], ", ", once.Pack.Z[i], ") outside the ", window.Describe(), "."));
-      }
-    }
-    if (ghosts > 0)
-    {
-      vtkWarningMacro("Sphere Pack Reader: left " << ghosts << " of " << copies.size()
-                                                  << " rows out as periodic copies of others.");
-    }
-    spheres = std::move(once);
-    PackData::AddWindow(output, window);
-    PackData::AddField(
-      output, "NumberOfGhosts", std::vector<long long>{ static_cast<long long>(ghosts) });
+    vtkWarningMacro(<< column);
+  }
+  std::optional<ruc::Window> window;
+  if (this->BoxSize[0] != 0.0 || this->BoxSize[1] != 0.0 || this->BoxSize[2] != 0.0)
+  {
+    window = ruc::Window::MakeBox({ this->BoxOrigin[0], this->BoxOrigin[1], this->BoxOrigin[2] },
+      { this->BoxSize[0], this->BoxSize[1], this->BoxSize[2] },
+      { this->BoxPeriodic[0] != 0, this->BoxPeriodic[1] != 0, this->BoxPeriodic[2] != 0 });
+    this->PutIntoBox(spheres, *window, output);
+  }
+  const ruc::PackOverview overview(spheres.Pack, window, "Box Size", this->LengthUnit);
+  this->Summary = overview.Text;
+  vtkLog(INFO, << this->GetObjectDescription() << ": " << this->Summary);
+  for (const std::string& warning : overview.Warnings)
+  {
+    vtkWarningMacro(<< warning);
   }
   PackData::FillPolyData(spheres.Pack, output);
   PackData::AddField(output, "LengthUnit", this->LengthUnit);
+}
+
+void vtkRUCSpherePackReader::PutIntoBox(
+  ruc::SpherePackText& spheres, const ruc::Window& window, vtkPolyData* output)
+{
+  const std::vector<bool> copies = ruc::FindPeriodicCopies(spheres.Pack, window);
+  ruc::SpherePackText once;
+  for (std::size_t i = 0; i < copies.size(); ++i)
+  {
+    if (!copies[i])
+    {
+      once.Append(spheres, i);
+    }
+  }
+  const std::size_t ghosts = copies.size() - once.Pack.Size();
+  if (ghosts > 0)
+  {
+    vtkWarningMacro(
+      "left " << ghosts << " of " << copies.size() << " rows out as periodic copies of others.");
+  }
+  if (const std::int64_t moved = ruc::MoveIntoBox(once.Pack, window); moved > 0)
+  {
+    vtkWarningMacro(<< moved << " of " << once.Pack.Size() << " centres lay outside the "
+                    << window.Describe() << " and were moved into it by whole edges.");
+  }
+  for (std::size_t i = 0; i < once.Pack.Size(); ++i)
+  {
+    if (!window.Contains(once.Pack.Centre(i)))
+    {
+      throw std::invalid_argument(ruc::Text("Line ", once.Line[i],
+        ": BoxOrigin and BoxSize require every centre inside the box, got (", once.Pack.X[i], ", ",
+        once.Pack.Y[i], ", ", once.Pack.Z[i], ") outside the ", window.Describe(), "."));
+    }
+  }
+  spheres = std::move(once);
+  PackData::AddWindow(output, window);
+  PackData::AddField(
+    output, "NumberOfGhosts", std::vector<long long>{ static_cast<long long>(ghosts) });
 }
 
 void vtkRUCSpherePackReader::PrintSelf(ostream& os, vtkIndent indent)

@@ -12,10 +12,13 @@
  * the file from 0, or the column "id") and, if the file has such a column, `Mode` (int). With
  * `BoxSize` the window becomes field data of the pack, and every centre must lie in it. If an axis
  * is periodic, rows that only repeat a sphere in a neighbouring image of the box are left out; the
- * field data `NumberOfGhosts` and a warning give their number.
+ * field data `NumberOfGhosts` and a warning give their number. Other centres outside along such an
+ * axis are moved into the box; a warning gives their number. GetSummary, and a line of the log, tell
+ * what was read.
  *
  * Rank 0 reads the file and holds the whole output. A file that cannot be read gives an error and
- * an empty output, which every filter of this plugin refuses on all ranks.
+ * an output that is empty but for the field data `Refusal`; with such an input every filter of this
+ * plugin is empty on all ranks.
  */
 #ifndef vtkRUCSpherePackReader_h
 #define vtkRUCSpherePackReader_h
@@ -26,12 +29,20 @@
 
 #include <string>
 
+namespace ruc
+{
+struct SpherePackText;
+class Window;
+}
+
 class RUCREADERS_EXPORT vtkRUCSpherePackReader : public vtkPolyDataAlgorithm
 {
 public:
   static vtkRUCSpherePackReader* New();
   vtkTypeMacro(vtkRUCSpherePackReader, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /** With which messages begin. */
+  std::string GetObjectDescription() const override { return "Sphere Pack Reader"; }
 
   ///@{
   /** The file to read, on the machine of rank 0. */
@@ -85,6 +96,10 @@ public:
   vtkGetVector3Macro(BoxPeriodic, int);
   ///@}
 
+  /** What was last read: number, radii, extent, window and fraction (ruc::PackOverview); empty
+   * before, and where the file was refused. */
+  vtkGetCharFromStdStringMacro(Summary);
+
 protected:
   vtkRUCSpherePackReader();
   ~vtkRUCSpherePackReader() override = default;
@@ -96,6 +111,8 @@ private:
 
   // Fills the output from the file, or throws std::invalid_argument
   void Read(vtkPolyData* output);
+  // Without periodic copies, with every centre in the window, which becomes field data
+  void PutIntoBox(ruc::SpherePackText& spheres, const ruc::Window& window, vtkPolyData* output);
 
   std::string FileName;
   std::string RadiusColumn;
@@ -106,6 +123,7 @@ private:
   double BoxOrigin[3] = { 0.0, 0.0, 0.0 };
   double BoxSize[3] = { 0.0, 0.0, 0.0 };
   int BoxPeriodic[3] = { 0, 0, 0 };
+  std::string Summary;
 };
 
 #endif

@@ -282,17 +282,23 @@ double Number(
   return value;
 }
 
-// A whole number that a double holds exactly
-std::int64_t Integer(std::size_t line, const std::vector<std::string_view>& fields,
-  const Columns& columns, int column, double most)
+// The whole number of a field, which a double holds exactly. Where it is none, the column is left
+// out from then on, and what was read of it: not every program means the same by such a name.
+template <class Value>
+void AppendWhole(std::size_t line, const std::vector<std::string_view>& fields, int& column,
+  double most, const Columns& columns, std::vector<Value>& values,
+  std::vector<std::string>& leftOut)
 {
-  const double value = Number(line, fields, columns, column);
-  if (value != std::floor(value) || std::abs(value) > most)
+  double value = 0.0;
+  if (ParseNumber(fields[column], value) && value == std::floor(value) && std::abs(value) <= most)
   {
-    Fail(line,
-      Text(columns.Name(column), " requires a whole number, got ", Quote(fields[column]), "."));
+    values.push_back(static_cast<Value>(value));
+    return;
   }
-  return static_cast<std::int64_t>(value);
+  leftOut.push_back(Text(columns.Name(column), " is left out: whole numbers are required, got ",
+    Quote(fields[column]), " in line ", line, "."));
+  values.clear();
+  column = -1;
 }
 
 // Returns a line without the blanks around it, or an empty text where it is to be passed over
@@ -322,9 +328,10 @@ bool IsHeader(const std::vector<std::string_view>& fields)
 }
 
 // Appends the sphere of a row
-void AppendRow(std::size_t number, const std::vector<std::string_view>& fields,
-  const Columns& columns, double scale, SpherePack& pack)
+void AppendRow(std::size_t number, const std::vector<std::string_view>& fields, Columns& columns,
+  double scale, SpherePackText& result)
 {
+  SpherePack& pack = result.Pack;
   if (fields.size() != columns.Count)
   {
     Fail(number,
@@ -332,10 +339,10 @@ void AppendRow(std::size_t number, const std::vector<std::string_view>& fields,
   }
   const double radius =
     Number(number, fields, columns, columns.Radius) * (columns.Diameter ? 0.5 : 1.0);
-  if (!(radius > 0.0))
+  if (!(radius >= 0.0))
   {
     Fail(number,
-      Text(columns.Name(columns.Radius), " requires a number > 0, got ",
+      Text(columns.Name(columns.Radius), " requires a number >= 0, got ",
         Quote(fields[columns.Radius]), "."));
   }
   const double numbers[4] = { Number(number, fields, columns, columns.X),
@@ -343,11 +350,12 @@ void AppendRow(std::size_t number, const std::vector<std::string_view>& fields,
     radius };
   for (double value : numbers)
   {
-    if (!std::isfinite(scale * value) || scale * radius == 0.0)
+    if (!(std::abs(scale * value) <= GreatestLength) ||
+      (radius > 0.0 && scale * radius < LeastLength))
     {
       Fail(number,
-        Text("Scale requires a factor that leaves every number finite and every radius > 0, got ",
-          scale, "."));
+        Text("coordinates of at most ", GreatestLength, " and radii of 0 or from ", LeastLength,
+          " are required, got ", value, " and radius ", radius, " times Scale, ", scale, "."));
     }
   }
   pack.X.push_back(scale * numbers[0]);
@@ -356,12 +364,12 @@ void AppendRow(std::size_t number, const std::vector<std::string_view>& fields,
   pack.Radius.push_back(scale * radius);
   if (columns.Mode >= 0)
   {
-    pack.Mode.push_back(static_cast<int>(
-      Integer(number, fields, columns, columns.Mode, std::numeric_limits<int>::max())));
+    AppendWhole(number, fields, columns.Mode, std::numeric_limits<int>::max(), columns, pack.Mode,
+      result.LeftOut);
   }
   if (columns.Id >= 0)
   {
-    pack.Id.push_back(Integer(number, fields, columns, columns.Id, 9007199254740992.0));
+    AppendWhole(number, fields, columns.Id, 9007199254740992.0, columns, pack.Id, result.LeftOut);
   }
 }
 }
@@ -407,7 +415,7 @@ SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettin
     }
     if (!header)
     {
-      AppendRow(number, fields, columns, settings.Scale, result.Pack);
+      AppendRow(number, fields, columns, settings.Scale, result);
       result.Line.push_back(number);
     }
   }

@@ -29,11 +29,13 @@ struct SpherePackTextSettings
   double Scale = 1.0;
 };
 
-/** A pack as it stands in a text; `Mode` and `Id` are empty where the text has no such column. */
+/** A pack as it stands in a text; `Mode` and `Id` are empty where the text has no such column of
+ * whole numbers. Radii of 0 are points, which no filter takes for spheres. */
 struct SpherePackText
 {
   SpherePack Pack;
-  std::vector<std::size_t> Line; // the line of every sphere, counted from 1
+  std::vector<std::size_t> Line;    // the line of every sphere, counted from 1
+  std::vector<std::string> LeftOut; // a sentence on each column that could not be read
 
   /** Appends the i-th sphere of another text. */
   void Append(const SpherePackText& other, std::size_t i);
@@ -47,14 +49,15 @@ struct SpherePackText
  *
  * The first line is a header if any of its fields is not a number. Then the columns are found by
  * name, in upper or lower case: x, y, z (or Points:0, Points_0, …), the radius as "radius", "r" or
- * "rad", or the diameter as "diameter", "d" or "diam"; "mode" and "id" are read where they exist.
- * Without a header the columns are x, y, z and radius.
+ * "rad", or the diameter as "diameter", "d" or "diam"; "mode" and "id" are read where they exist,
+ * and left out where any of their fields is no whole number. Without a header the columns are x, y,
+ * z and radius.
  *
  * Throws std::invalid_argument that names the line, and the column where there is one, for: no
  * spheres, a missing column, a row with more or fewer fields than the first, text in place of a
- * number, numbers that are not finite, a radius <= 0, a mode or id that is no whole number, a line
- * over 64 KiB, and bytes that are not UTF-8; also for a scale that is not finite and > 0, or makes
- * a number infinite or a radius 0.
+ * number, numbers that are not finite, a radius below 0, a line over 64 KiB, and bytes that are not
+ * UTF-8; also for a scale that is not finite and > 0, and for coordinates and radii that are then
+ * beyond the range of lengths that Window.h tells.
  */
 SpherePackText ParseSpherePack(std::string_view text, const SpherePackTextSettings& settings);
 }

@@ -113,8 +113,11 @@ std::vector<bool> FindPeriodicCopies(const SpherePack& pack, const Window& box)
   }
   SpherePack wrapped = pack;
   WrapIntoBox(wrapped, box);
-  const CellList cells(
-    wrapped, box, tolerance * *std::max_element(box.Size.begin(), box.Size.end()));
+  // In a box that is far longer than wide, the tolerance along would hold all spheres
+  const auto [shortest, longest] = std::minmax_element(box.Size.begin(), box.Size.end());
+  const double reach =
+    std::min(tolerance * *longest, std::max(pack.LargestRadius(), tolerance * *shortest));
+  const CellList cells(wrapped, box, reach);
   cells.ForEachPair(
     [&](std::size_t p, std::size_t q, double, double, double, double)
     {

@@ -37,8 +37,8 @@ Vector3 CentreOf(const Replica& replica, const SpherePack& pack, const Window& b
 /**
  * Returns which spheres are mere periodic copies of another. Such a sphere lies outside the
  * half-open box along a periodic axis, and there is a sphere of the same radius inside at the same
- * place but for whole edges. As text has few digits, places may differ by 1e-5 of the longest edge
- * and radii by 1e-5.
+ * place but for whole edges. As text has few digits, places may differ by 1e-5 of the longest edge,
+ * but by no more than the largest radius, and radii by 1e-5.
  */
 std::vector<bool> FindPeriodicCopies(const SpherePack& pack, const Window& box);
 }

@@ -88,7 +88,7 @@ TEST(TextRefusals, NoSpheres)
 
 TEST(TextRefusals, RadiusOutOfRange)
 {
-  RefusesText("x,y,z,radius\n1,2,3,-4\n", { "Line 2", "'radius'", "> 0", "'-4'" });
+  RefusesText("x,y,z,radius\n1,2,3,-4\n", { "Line 2", "'radius'", ">= 0", "'-4'" });
   RefusesText("1 2 3 nan\n", { "Line 1", "finite", "'nan'" });
 }
 

@@ -73,12 +73,37 @@ TEST(SpherePackText, ModeAndIdAreReadWhereTheyAre)
   EXPECT_EQ(table.Pack.Id, (std::vector<std::int64_t>{ 9007199254740992, -7 }));
   EXPECT_TRUE(Parse("1,2,3,0.5\n").Pack.Mode.empty());
   EXPECT_TRUE(Parse("1,2,3,0.5\n").Pack.Id.empty());
-  EXPECT_SAYS(Parse("x,y,z,r,mode\n1,2,3,1,1.5\n"),
-    "Line 2: column 5 ('mode') requires a whole number, got '1.5'");
-  EXPECT_SAYS(Parse("x,y,z,r,mode\n1,2,3,1,3000000000\n"), "whole number");
-  EXPECT_SAYS(Parse("x,y,z,r,id\n1,2,3,1,1e17\n"), "whole number");
-  EXPECT_SAYS(
-    Parse("x,y,z,r,id\n1,2,3,1,a\n"), "Line 2: column 5 ('id') requires a number, got 'a'");
+}
+
+TEST(SpherePackText, ColumnsThatNobodyNeedsBlockNothing)
+{
+  for (const std::string field : { "1.5", "3000000000", "bead", "", "nan" })
+  {
+    const SpherePackText table =
+      Parse("x,y,z,r,mode,id\n1,2,3,1,1,7\n4,5,6,1," + field + ",8\n7,8,9,1,2,9\n");
+    EXPECT_EQ(table.Pack.Size(), 3u);
+    EXPECT_TRUE(table.Pack.Mode.empty());
+    EXPECT_EQ(table.Pack.Id, (std::vector<std::int64_t>{ 7, 8, 9 }));
+    ASSERT_EQ(table.LeftOut.size(), 1u);
+    EXPECT_EQ(table.LeftOut[0],
+      "column 5 ('mode') is left out: whole numbers are required, got '" + field + "' in line 3.");
+  }
+  for (const std::string field : { "1e17", "a", "6ba7b810-9dad-11d1-80b4-00c04fd430c8" })
+  {
+    const SpherePackText table = Parse("x,y,z,r,id,mode\n1,2,3,1," + field + ",4\n");
+    EXPECT_TRUE(table.Pack.Id.empty());
+    EXPECT_EQ(table.Pack.Mode, std::vector<int>{ 4 });
+    EXPECT_EQ(table.LeftOut.size(), 1u);
+  }
+  EXPECT_TRUE(Parse("x,y,z,r,id,mode\n1,2,3,1,5,4\n").LeftOut.empty());
+}
+
+TEST(SpherePackText, RadiiOfZeroArePoints)
+{
+  EXPECT_EQ(Parse("1,2,3,0\n4,5,6,0.5\n").Pack.Radius, (std::vector<double>{ 0, 0.5 }));
+  SpherePackTextSettings settings;
+  settings.Scale = 1e-200;
+  EXPECT_SAYS(Parse("1,2,3,0\n4,5,6,1e-200\n", settings), "Line 2: coordinates of at most 1e+50 and");
 }
 
 TEST(SpherePackText, Settings)
@@ -156,9 +181,8 @@ TEST(SpherePackText, BadRows)
       "Line 2: column 4 requires a finite number");
   }
   EXPECT_SAYS(Parse("1,2,3,1\n1,2,3,1e999\n"), "Line 2: column 4");
-  EXPECT_SAYS(Parse("1,2,3,1\n1,2,3,0\n"), "Line 2: column 4 requires a number > 0, got '0'");
   EXPECT_SAYS(
-    Parse("x,y,z,r\n1,2,3,-0.5\n"), "Line 2: column 4 ('r') requires a number > 0, got '-0.5'");
+    Parse("x,y,z,r\n1,2,3,-0.5\n"), "Line 2: column 4 ('r') requires a number >= 0, got '-0.5'");
   EXPECT_SAYS(Parse("1,2,3,1\n" + std::string(60, 'q') + ",2,3,1\n"),
     "'" + std::string(40, 'q') + "…'"); // a long field is cut
 }
