@@ -24,8 +24,10 @@ namespace PackEstimate RUCCOMMON_EXPORT
 std::optional<ruc::PackFigures> FindFigures(
   vtkPointSet* piece, const PackData::WindowProperties& properties, double spheres, int ranks);
 
-/** Returns the number of spheres on all ranks: `told` where that is above 0; else as FindFigures
- * finds it. */
+/**
+ * Returns the number of spheres on all ranks: `told` if that is above 0, otherwise as FindFigures
+ * finds it.
+ */
 std::optional<double> FindSpheres(vtkPointSet* piece, double told, int ranks);
 
 /**

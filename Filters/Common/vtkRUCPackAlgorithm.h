@@ -177,7 +177,7 @@ protected:
    * any rank. A run whose memory is not known on any rank is let through. Collective.
    */
   void CheckMemory(RankCommunicator& ranks);
-  /** Does the same for the memory that a run has found that it takes on this rank. Collective. */
+  /** The same for the memory that a run has found it takes on this rank. Collective. */
   void RequireMemory(double megabytes, RankCommunicator& ranks) const;
   /** The number of spheres on all ranks, while it is known or set; else 0. */
   vtkIdType GetKnownSpheres() const

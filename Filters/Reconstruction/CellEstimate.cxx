@@ -15,7 +15,7 @@
 
 namespace
 {
-// Saturation length over mean diameter; of dense packs 4 to 6
+// The saturation length over the mean diameter, which is 4 to 6 for dense packs
 constexpr double TypicalSaturation = 5.0;
 
 double TwoDigits(double value)
@@ -24,7 +24,7 @@ double TwoDigits(double value)
   return std::round(value / digit) * digit;
 }
 
-// `edge` is what the cell has where no number of spheres is given
+// Returns the number of spheres of a cell, which has the `edge` if no number of spheres is given
 double FindSpheres(const CellProperties& properties, double density, double edge)
 {
   if (!properties.ModeCounts.empty())

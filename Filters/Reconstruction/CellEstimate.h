@@ -11,10 +11,10 @@
 class vtkTable;
 
 /**
- * What a reconstruction takes at most, to its last iteration or generation, and what its automatic
- * properties stand for. `longestSearch` is a limit of the search alone, in seconds of one core.
- * None where the table does not tell; throws std::invalid_argument for properties that a run would
- * refuse.
+ * Estimates what a reconstruction takes at most, to its last iteration or generation, and what its
+ * automatic properties stand for. `longestSearch` limits the time of the search alone, in seconds
+ * of one core. OfTable returns none if the table does not tell. Both throw std::invalid_argument
+ * for properties that a run would refuse.
  */
 namespace CellEstimate
 {
@@ -23,7 +23,7 @@ ruc::Estimate OfPack(const ruc::PackFigures& pack, const CellProperties& propert
 std::optional<ruc::Estimate> OfTable(vtkTable* table, const CellProperties& properties,
   const CellSearch::Settings& search, double longestSearch);
 
-/** What a search for a cell of known contents takes on a rank. */
+/** Estimates the megabytes that a search for a cell of known contents takes on a rank. */
 double MegabytesOf(
   const ruc::CellContents& contents, const ruc::LagGrid& lags, const CellSearch::Settings& search);
 }

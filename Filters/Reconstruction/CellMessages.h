@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-/** What a reconstruction tells its user in words. */
+/** The texts that a reconstruction shows its user. */
 namespace CellMessages
 {
-/** Where the search for cell `cell`, from 0, stands. */
+/** Describes where the search for cell `cell`, counted from 0, stands. */
 RunProgress DescribeProgress(
   int cell, const ruc::SearchState& state, const CellSearch::Settings& settings);
 
-/** What a user has to know of the cells that were found. */
+/** Returns the warnings that a user needs about the cells that were found. */
 std::vector<std::string> FindWarnings(
   const std::vector<CellSearch::FoundCell>& cells, const CellSearch::Settings& settings);
 }

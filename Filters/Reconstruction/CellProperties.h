@@ -8,18 +8,21 @@
 #include <functional>
 #include <vector>
 
-/** What a user says of a cell's size, its spheres and the lags at which it is compared. */
+/**
+ * What a user says of the size of a cell, its spheres and the lags at which it is compared. All
+ * lengths are in the unit of the pack or table.
+ */
 struct CellProperties
 {
-  int NumberOfParticles = 0; // 0: from CellSize
-  double CellSize = 0.0;     // first guess h_0 of the edge; 0: twice the saturation length
-  double MaximumLag = 0.0;   // 0: half the edge
+  int NumberOfParticles = 0; // 0 means the number that CellSize gives
+  double CellSize = 0.0;     // the first guess h_0 of the edge; 0 means twice the saturation length
+  double MaximumLag = 0.0;   // 0 means half the edge
   int NumberOfLags = 277;    // K
-  double SaturationTolerance = 0.0005;
-  std::vector<double> ModeDiameters; // in place of those of the input
-  std::vector<int> ModeCounts;       // in place of CellSize and NumberOfParticles
+  double SaturationTolerance = 0.0005; // an absolute probability
+  std::vector<double> ModeDiameters;   // take the place of those of the input
+  std::vector<int> ModeCounts;         // take the place of CellSize and NumberOfParticles
 
-  /** As of ruc::SearchSettings. The lags have their ranges from ruc::LagLimit. */
+  /** See ruc::SearchSettings. The ranges of MaximumLag and NumberOfLags come from ruc::LagLimit. */
   template <class Self, class Visit>
   static void VisitSearch(Self& self, Visit&& visit)
   {
@@ -32,16 +35,21 @@ struct CellProperties
   {
   }
 
-  /** Throws std::invalid_argument for what is out of range or contradicts itself. */
+  /** Throws std::invalid_argument for values that are out of range or contradict each other. */
   void Check() const;
 
-  /** Whether the size is left to the input: no number of spheres is given. */
+  /**
+   * Returns whether no number of spheres is given, so that CellSize or the input gives the size.
+   */
   bool HasNoCounts() const { return this->NumberOfParticles == 0 && this->ModeCounts.empty(); }
 
-  /** The amounts of the input, with the ModeDiameters where they are given. */
+  /** Returns the amounts of the input, with the ModeDiameters if they are given. */
   ruc::ModeAmounts FindAmounts(const ruc::ModeAmounts& ofInput) const;
 
-  /** `findEdge` is called where nothing else tells the size. */
+  /**
+   * Returns the contents of the cell. `findEdge` is called if nothing else gives its size, and
+   * returns the first guess of the edge.
+   */
   ruc::CellContents FindContents(
     const ruc::ModeAmounts& amounts, const std::function<double()>& findEdge) const;
 };

@@ -65,7 +65,7 @@ CellSearch::FoundCell NewCell(int number, const ruc::TwoPointProbability& target
   return { number, { {}, ruc::Window(), 0.0, 0.0, {}, 0, ruc::EndReason::None, none, {} }, {}, {} };
 }
 
-// Throws where a cell that was read cannot be one of these contents and this target
+// Throws if a cell that was read cannot be one of these contents and this target
 void RequireFit(const CellSearch::FoundCell& found, const ruc::CellContents& contents,
   const ruc::TwoPointProbability& target)
 {
@@ -126,12 +126,12 @@ private:
     std::unique_ptr<RankCommunicator> Group; // the ranks that work on it
     typename Method::Settings Settings;
     CheckpointFile File;
-    std::optional<typename Method::State> State; // to resume from; later the last
-    CellSearch::FoundCell Found; // of a search that is shown as it was, from the file
+    std::optional<typename Method::State> State; // at first the one to resume from, then the last
+    CellSearch::FoundCell Found;                 // from the file, if the search is shown as it was
     bool Begun;
   };
 
-  // What is wrong with one of them must be known to all groups before any begins
+  // All groups must know what is wrong with any checkpoint before any of them begins
   void ReadCheckpoints()
   {
     std::string error;
@@ -191,7 +191,7 @@ private:
     return ruc::MakeKey(this->Contents, this->Target, search.Settings);
   }
 
-  // Whether it was stopped, now or before
+  // Returns whether the search was stopped, now or before
   bool RunOne(Search& search)
   {
     RankSignal signal(this->Ranks);
@@ -218,7 +218,7 @@ private:
       this->Contents, this->Target, search.Settings, *search.Group,
       [&](const ruc::SearchState& state)
       {
-        // Some reasons are seen on the lowest rank alone, which tells the others at once
+        // Some reasons are seen only on rank 0, which tells the others at once
         if (reason == ruc::EndReason::None)
         {
           const int heard = signal.Heard();
@@ -274,7 +274,7 @@ private:
     }
   }
 
-  // The cells of all groups on every rank
+  // Returns the cells of all groups on every rank
   std::vector<CellSearch::FoundCell> Gather()
   {
     std::vector<CellSearch::FoundCell> all;
@@ -283,7 +283,7 @@ private:
       const Search& search = this->Rounds[number / this->Ranks.Size()];
       const bool own = search.Number == number && search.Group->Rank() == 0 && search.Begun;
       const int rank = this->Ranks.LowestRank(own);
-      if (rank < this->Ranks.Size()) // else not begun
+      if (rank < this->Ranks.Size()) // otherwise the cell was not begun
       {
         all.push_back(search.Found);
         this->Ranks.Broadcast(all.back(), rank);

@@ -57,7 +57,7 @@ void FillProbabilities(const ruc::TwoPointProbability& pack, const ruc::TwoPoint
   }
 }
 
-// As the paper's Table I
+// Fills the table of cells, which is like Table I of the paper
 void FillTableOfCells(const CellTables::Reconstruction& all, vtkTable* table)
 {
   std::vector<long long> number, seeds, iterations;

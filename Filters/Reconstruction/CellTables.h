@@ -9,7 +9,7 @@
 
 class vtkInformationVector;
 
-/** The outputs of a reconstruction: cells as packs, and tables of them. */
+/** The outputs of a reconstruction: cells as packs, and tables about them. */
 namespace CellTables
 {
 enum Ports
@@ -23,7 +23,7 @@ enum Ports
   NUMBER_OF_PORTS = 6
 };
 
-/** What was found and what was looked for. */
+/** What was found, and what was looked for. */
 struct Reconstruction
 {
   const std::vector<CellSearch::FoundCell>& Cells; // at least one
@@ -33,8 +33,10 @@ struct Reconstruction
   std::string LengthUnit;
 };
 
-/** Fills the outputs of vtkRUCUnitCellReconstruction, which describes them: data on rank 0 alone,
- * field data and the names of blocks on every rank. */
+/**
+ * Fills the outputs of vtkRUCUnitCellReconstruction, which describes them: data on rank 0 alone,
+ * field data and the names of blocks on every rank.
+ */
 void FillOutputs(
   const Reconstruction& reconstruction, vtkInformationVector* outputs, bool isFirstRank);
 }

@@ -17,7 +17,7 @@
 
 namespace
 {
-constexpr int MostNames = 100; // tried for a new file
+constexpr int MostNames = 100; // that are tried for a new file
 }
 
 CheckpointFile::CheckpointFile(std::string name, double interval)
@@ -61,8 +61,8 @@ bool CheckpointFile::IsDue() const
 std::string CheckpointFile::Write(const std::string& bytes)
 {
   this->Last = std::chrono::steady_clock::now();
-  // A name that nothing has yet, so that no file of somebody else is written to, nor one that a
-  // link leads to
+  // Finds a name that nothing has yet, so that no file of somebody else is written to, nor one that
+  // a link leads to
   std::string next;
   int file = -1;
   for (int number = 0; file < 0 && number < MostNames; ++number)

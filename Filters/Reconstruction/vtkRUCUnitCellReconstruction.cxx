@@ -31,10 +31,10 @@ vtkStandardNewMacro(vtkRUCUnitCellReconstruction);
 
 namespace
 {
-// Of a target: a table may be rounded, or sampled
+// How far a target's probabilities may be off, as a table may be rounded, or sampled
 constexpr double TargetTolerance = 0.005;
 
-// Of a list with a value for each mode; false where there can be no such mode
+// Sets a value of a list that has one for each mode; returns false if there can be no such mode
 template <class Value>
 bool SetOfMode(std::vector<Value>& list, int mode, Value value)
 {
@@ -112,7 +112,7 @@ void vtkRUCUnitCellReconstruction::SetOperatorWeight(int i, double weight)
   {
     weights[i] = weight;
   }
-  // Any other is refused by CheckProperties
+  // CheckProperties refuses any other place
   this->NumberOfOperatorWeights = i < 0 ? -1 : std::max(this->NumberOfOperatorWeights, i + 1);
   this->Modified();
 }
@@ -301,7 +301,8 @@ void vtkRUCUnitCellReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   ruc::GradientSearchSettings::VisitSearch(this->Search.Gradient, print);
   ruc::GradientSearchSettings::VisitEnd(this->Search.Gradient, print);
   ruc::PopulationSettings annealed = this->Search.Annealed;
-  static_cast<ruc::SearchSettings&>(annealed) = this->Search.Gradient; // seed and target
+  // The seed and the target are the same for every method
+  static_cast<ruc::SearchSettings&>(annealed) = this->Search.Gradient;
   ruc::PopulationSettings::VisitSearch(annealed, print);
   ruc::PopulationSettings::VisitEnd(annealed, print);
   ruc::HybridSettings::VisitSearch(this->Search.Hybrid, print);

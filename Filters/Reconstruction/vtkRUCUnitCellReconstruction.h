@@ -4,48 +4,53 @@
  * @class vtkRUCUnitCellReconstruction
  * @brief Small periodic cells with the one- and two-point probabilities of a sphere pack
  *
- * Input: a sphere pack with `Mode` (vtkRUCPackAlgorithm), the target; or a table of S_rs with the
- * columns `r`, `S_1_1`, `S_1_2`, … `S_m_m` on equal lags from 0 (from vtkRUCTwoPointProbability, or
- * from any program by way of a file), with the ModeDiameters. The cell is a periodic cube that
- * holds of every mode the nearest whole number of spheres to the target's share, or ModeCounts, all
- * of the mode's volume mean diameter; its edge h_c minimises the difference of the volume
- * fractions, equation (12). The centres minimise
+ * The input is the target: a sphere pack with `Mode` (vtkRUCPackAlgorithm); or a table of S_rs with
+ * the columns `r`, `S_1_1`, `S_1_2`, … `S_m_m` on equal lags from 0, from vtkRUCTwoPointProbability
+ * or from a file of any program, together with the ModeDiameters. The cell is a periodic cube. It
+ * holds, of every mode, the whole number of spheres nearest to the target's share, or ModeCounts;
+ * all have the volume mean diameter of the mode. Its edge h_c minimises the difference of the
+ * volume fractions, equation (12). The centres minimise
  *
  *     F2 = sum over all ordered pairs of phases of || S_rs of the pack - S_rs of the cell || (13)
  *
  * with the discrete norm over the lags r_1…r_K, not divided by K, and no two spheres overlap,
  * images included (14).
  *
- * Gradient: random centres, overlap pushed out, L-BFGS on the exact F2 and its gradient with an
- * overlap penalty, last overlap removed exactly. Annealed Population: the paper's RECON3D
- * (Core/Reconstruction/PopulationSearch.h). Hybrid: a small population whose best member descends
- * by L-BFGS, then is changed a little and descends again. Several cells are independent searches
- * with the seeds Seed, Seed + 1, …, one on each rank or group of
- * ranks at a time.
+ * Gradient starts from random centres, pushes the overlap out, descends by L-BFGS on the exact F2
+ * and its gradient with an overlap penalty, and removes the last overlap exactly. Annealed
+ * Population is RECON3D of the paper (Core/Reconstruction/Population/PopulationSearch.h). Hybrid
+ * has a small population whose best member descends by L-BFGS, then is changed a little and
+ * descends again. Several cells are independent searches with the seeds Seed, Seed + 1, …, one on
+ * each rank or group of ranks at a time.
  *
- * Outputs, whole on rank 0: 0 the best cell (least F2, without overlap if there is one), a sphere
- * pack with its periodic box and the field data `Objective` (F2), `StartObjective` (F2 of the
- * random start, freed from overlap as far as that went; of a population its mean),
- * `OnePointDifference` (F1, equation 11), `OverlapPercent`, `Iterations` (or generations),
- * `EndedBy` (text), `Stopped` (1 when the search was ended from outside) and `Cell` (its number); 1
- * the table of convergence of the best cell `Iteration`, `Objective`, `OverlapPercent`, where row 0
- * is the start and the last row the cell returned; 2 the table `r`, `S_1_1_pack`, `S_1_1_cell`, …
- * of the best cell, and of several cells `S_1_1_mean`, `S_1_1_deviation` (standard deviation over
- * the cells); 3 a multiblock data set of all cells; 4 a row for each cell, as the paper's Table I:
- * `Cell`, `Seed`, `BeforeMinimum`, `BeforeMean`, `BeforeMaximum`, `AfterMinimum`, `AfterMean`,
- * `AfterMaximum` (F2 over the population; of Gradient that of the start and of the cell),
- * `Iterations`, `OverlapPercent`, `Objective` (F2 of the cell), `DifferencePercent` (equation 17)
- * and `EndedBy`; 5 the comparison of target and mean of the cells by equations 16 and 17, as output
- * 0 of vtkRUCCompareProbabilities.
+ * The outputs are whole on rank 0:
+ * - 0 is the best cell (with the least F2 of those without overlap, if there are any), a sphere
+ *   pack with its periodic box and the field data `Objective` (F2), `StartObjective` (F2 of the
+ *   random start, freed from overlap as far as that went; for a population its mean),
+ *   `OnePointDifference` (F1, equation 11), `OverlapPercent`, `Iterations` (or generations),
+ *   `EndedBy` (text), `Stopped` (1 if the search was ended from outside) and `Cell` (its number).
+ * - 1 is the table of convergence of the best cell, `Iteration`, `Objective`, `OverlapPercent`,
+ *   whose row 0 is the start and whose last row is the cell that is returned.
+ * - 2 is the table `r`, `S_1_1_pack`, `S_1_1_cell`, … of the best cell; for several cells also
+ *   `S_1_1_mean`, `S_1_1_deviation` (the standard deviation over the cells), ….
+ * - 3 is a multiblock data set of all cells.
+ * - 4 is a table with a row for each cell, like Table I of the paper: `Cell`, `Seed`,
+ *   `BeforeMinimum`, `BeforeMean`, `BeforeMaximum`, `AfterMinimum`, `AfterMean`, `AfterMaximum` (F2
+ *   over the population; for Gradient that of the start and of the cell), `Iterations`,
+ *   `OverlapPercent`, `Objective` (F2 of the cell), `DifferencePercent` (equation 17) and
+ *   `EndedBy`.
+ * - 5 compares the target with the mean of the cells by equations (16) and (17), like output 0 of
+ *   vtkRUCCompareProbabilities.
  *
  * With a CheckpointFile the state of a search is written every CheckpointInterval seconds and at
- * its end, always to a new file that then replaces the last one. A search whose file is there goes
- * on from it, to the same end, bit by bit, on any number of ranks. One that was ended from outside
- * more often than ContinueAfterStops is shown as it was instead; `Stops` is how often that was.
+ * its end, always to a new file that then replaces the last one. A search whose file exists goes on
+ * from it, to the same end, bit by bit, on any number of ranks. A search that was ended from
+ * outside more often than ContinueAfterStops is shown as it was instead; the field data `Stops`
+ * says how often that was.
  *
  * Every iteration asks whether to stop: by the time limit, by the stop file, by a
  * vtkRUCStopRequest, or by SetAbortExecute from an observer of progress. The best cells so far are
- * then the output. Equation numbers: Lee et al., Phys. Rev. E 80, 061301 (2009).
+ * then the output. Equation numbers refer to Lee et al., Phys. Rev. E 80, 061301 (2009).
  */
 #ifndef vtkRUCUnitCellReconstruction_h
 #define vtkRUCUnitCellReconstruction_h
@@ -60,7 +65,7 @@
 
 class ProgressReport;
 
-/** The setter and the getter of a property that stands at `place`, a setting of the core. */
+/** The setter and the getter of a property whose value is `place`, a setting of the core. */
 #define RUCSetting(name, type, place)                                                              \
   void Set##name(type value)                                                                       \
   {                                                                                                \
@@ -89,100 +94,126 @@ public:
     HYBRID = CellSearch::HYBRID
   };
 
-  /** How the centres are found. */
+  /** How the centres are found. Default: GRADIENT. */
   RUCSetting(Method, int, Search.Method);
-  /** Independent cells. */
+  /** The number of independent cells, >= 1. Default: 1. */
   RUCSetting(NumberOfCells, int, Search.NumberOfCells);
-  /** Diameters of the modes' spheres in the cell, one for each mode. Required with a
-   * table; with a pack they take the place of its own. Default: none. */
+  /**
+   * The diameters of the spheres in the cell, one for each mode, > 0. Required with a table; with a
+   * pack they take the place of its own. Default: none.
+   */
   void ClearModeDiameters();
   void SetModeDiameter(int i, double diameter);
-  /** Spheres of every mode in the cell, each >= 1, in place of CellSize and NumberOfParticles.
-   * Default: none. */
+  /**
+   * The number of spheres of every mode in the cell, each >= 1, in place of CellSize and
+   * NumberOfParticles. Default: none.
+   */
   void ClearModeCounts();
   void SetModeCount(int i, int count);
-  /** Spheres in the cell, at least one of every mode. Default: 0, from CellSize. */
+  /**
+   * The number of spheres in the cell, enough for one of every mode. Default: 0, which means that
+   * CellSize gives it.
+   */
   RUCSetting(NumberOfParticles, int, Cell.NumberOfParticles);
-  /** First guess h_0 of the cell's edge. Default: 0, twice the saturation length of the pack's
-   * S_rs. */
+  /**
+   * The first guess h_0 of the cell's edge. Default: 0, which means twice the saturation length of
+   * the target's S_rs.
+   */
   RUCSetting(CellSize, double, Cell.CellSize);
-  /** The last lag of F2. Default: 0, half the cell's edge. Limits as in vtkRUCTwoPointProbability.
+  /**
+   * The last lag of F2, at most two edges of the cell, and no more than vtkRUCTwoPointProbability
+   * would take for the pack. Default: 0, which means half the cell's edge.
    */
   RUCSetting(MaximumLag, double, Cell.MaximumLag);
-  /** K, the number of lags after 0. */
+  /** K, the number of lags after 0; 1 to 100 000. Default: 277. */
   RUCSetting(NumberOfLags, int, Cell.NumberOfLags);
-  /** Tolerance of the saturation length, as in vtkRUCTwoPointProbability;. */
+  /**
+   * The tolerance of the saturation length, as in vtkRUCTwoPointProbability; > 0. Default: 0.0005.
+   */
   RUCSetting(SaturationTolerance, double, Cell.SaturationTolerance);
-  /** Iterations of L-BFGS. The search ends before when F2 no longer falls by
-   * 0.1 % in 100 iterations. */
+  /**
+   * The most iterations of L-BFGS, >= 0. The search ends earlier if F2 falls by less than 0.1 % in
+   * 100 iterations. Default: 1000.
+   */
   RUCSetting(MaximumIterations, int, Search.Gradient.MaximumIterations);
-  /** The search ends when a cell without overlap has F2 at or below this;. */
+  /** The search ends when a cell without overlap has F2 at or below this; >= 0. Default: 0. */
   RUCSetting(TargetObjective, double, Search.Gradient.TargetObjective);
-  /** Seconds after which the search ends with the best cell so far; >= 0. Default: 0, no limit. */
+  /**
+   * The search ends with the best cell so far after this many seconds, >= 0. Default: 0, which
+   * means no limit.
+   */
   vtkSetMacro(TimeLimit, double);
   vtkGetMacro(TimeLimit, double);
   /** The search ends with the best cell so far once a file of this name exists where rank 0 runs.
    * Default: empty. */
   vtkSetStdStringFromCharMacro(StopFile);
   vtkGetCharFromStdStringMacro(StopFile);
-  /** Seed of all random numbers. Cell n has Seed + n - 1. */
+  /** The seed of all random numbers, >= 0. Cell n, counted from 1, has Seed + n - 1. Default: 1. */
   RUCSetting(Seed, int, Search.Gradient.Seed);
-  /** File that holds the state of the search where rank 0 runs; of several cells one each, with .1,
-   * .2, … after this name. Default: empty, none. */
+  /**
+   * The file that holds the state of the search, where rank 0 runs. Several cells have one each,
+   * with .1, .2, … after this name. Default: empty, which means none.
+   */
   void SetCheckpointFile(const char* name);
   const char* GetCheckpointFile() const { return this->Search.CheckpointFile.c_str(); }
-  /** Seconds between two states that are written. */
+  /** The seconds between two states that are written, >= 0. Default: 60. */
   RUCSetting(CheckpointInterval, double, Search.CheckpointInterval);
-  /** A search that was ended from outside more often than this is shown as it was, from its
-   * checkpoint; else it goes on. Default: 0; -1: it always goes on. */
+  /**
+   * A search that was ended from outside more often than this is shown as it was, from its
+   * checkpoint; otherwise it goes on. -1 means that it always goes on. Default: 0.
+   */
   RUCSetting(ContinueAfterStops, int, Search.ContinueAfterStops);
 
-  // Annealed Population, and the last four before the weights of Hybrid. Defaults and ranges stand
-  // in Core/Reconstruction/Population/PopulationSettings.h.
-  /** N_i, individuals. */
+  // Settings of Annealed Population, then of Hybrid, which takes the others from Annealed
+  // Population (ruc::HybridOf). Their defaults and ranges are in
+  // Core/Reconstruction/Population/PopulationSettings.h.
+  /** N_i, the number of individuals. */
   RUCSetting(Population, int, Search.Annealed.Population);
-  /** Share of the first population at random; the others by ballistic deposition. */
+  /**
+   * The share of the first population that is random; the others are deposited (ballistic
+   * deposition).
+   */
   RUCSetting(RandomShare, double, Search.Annealed.RandomShare);
-  /** Overlap (a + b - d) / (a + b) that the ballistic deposition allows. */
+  /** The overlap (a + b - d) / (a + b) that the ballistic deposition allows. */
   RUCSetting(DepositionDegree, double, Search.Annealed.DepositionDegree);
-  /** m, individuals in the mating pool. */
+  /** m, the number of individuals in the mating pool. */
   RUCSetting(MatingPool, int, Search.Annealed.MatingPool);
-  /**. */
+  /** The search ends after this many generations. 0 gives the best of the first population. */
   RUCSetting(MaximumGenerations, int, Search.Annealed.MaximumGenerations);
-  /** Generations without a better best individual that end the search. */
+  /** The search ends after this many generations without a better best individual. */
   RUCSetting(PatienceGenerations, int, Search.Annealed.PatienceGenerations);
-  /** Expected copies of the best individual in the roulette by rank. */
+  /** The expected number of copies of the best individual in the roulette by rank. */
   RUCSetting(SelectionPressure, double, Search.Annealed.SelectionPressure);
-  /** Overlap in percent at which the penalty p of equation (15) is 1/2. */
+  /** The overlap in percent at which the penalty p of equation (15) is 1/2. */
   RUCSetting(HalfOverlap, double, Search.Annealed.HalfOverlap);
-  /** Share of the spheres that an operator on some of them changes. */
+  /** The share of the spheres that an operator on some of them changes. */
   RUCSetting(MutatedShare, double, Search.Annealed.MutatedShare);
-  /** b of the non-uniform mutations. */
+  /** The exponent b of the non-uniform mutations. */
   RUCSetting(MutationShape, double, Search.Annealed.MutationShape);
-  /** Longest step of the non-uniform mutations in half edges. */
+  /** The longest step of the non-uniform mutations, in half edges of the cell. */
   RUCSetting(MutationReach, double, Search.Annealed.MutationReach);
-  /** G of the non-uniform mutations. */
+  /** G, the generations over which the non-uniform mutations shrink to 0. */
   RUCSetting(MutationGenerations, int, Search.Annealed.MutationGenerations);
-  /** Probability of the mass-spring mutation of a child. */
+  /** The probability of the mass-spring mutation of a child. */
   RUCSetting(MassSpringProbability, double, Search.Annealed.MassSpringProbability);
-  /** T of the acceptance, in units of the fitness. */
+  /** The temperature T of the acceptance at the start, in units of the fitness. */
   RUCSetting(InitialTemperature, double, Search.Annealed.InitialTemperature);
-  /** Factor of T in a generation. */
+  /** The factor of T from one generation to the next. */
   RUCSetting(CoolingFactor, double, Search.Annealed.CoolingFactor);
-  /** Generations without a better best individual after which T is the initial one again. */
+  /** After this many generations without a better best individual T is the initial one again. */
   RUCSetting(ReheatingGenerations, int, Search.Annealed.ReheatingGenerations);
-  /** Individuals of Hybrid. */
+  /** The number of individuals of Hybrid. */
   RUCSetting(HybridPopulation, int, Search.Hybrid.Population);
-  /** Individuals in the mating pool of Hybrid. */
+  /** The number of individuals in the mating pool of Hybrid. */
   RUCSetting(HybridMatingPool, int, Search.Hybrid.MatingPool);
-  /** MutationReach of Hybrid. */
+  /** The MutationReach of Hybrid. */
   RUCSetting(HybridMutationReach, double, Search.Hybrid.MutationReach);
-  /** Steps of L-BFGS of Hybrid at a time. */
+  /** The number of steps of L-BFGS that Hybrid takes at a time. */
   RUCSetting(RefinementSteps, int, Search.Hybrid.RefinementSteps);
   /**
    * Eight weights, >= 0, by which one of the operators is drawn: uniform, boundary, non-uniform and
    * multi-non-uniform mutation, simple, simple arithmetic, whole arithmetic and heuristic
-   * crossover. Default: 1 each.
+   * crossover. Default: 1 each. Hybrid has weights of its own.
    */
   void ClearOperatorWeights();
   void SetOperatorWeight(int i, double weight);
@@ -196,7 +227,10 @@ protected:
   void Execute(
     vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
-  /** At most: to the last iteration or generation, or the time limit. */
+  /**
+   * Estimates the most that the search can take: to its last iteration or generation, or to the
+   * time limit.
+   */
   std::optional<ruc::Estimate> MakeEstimate() override;
 
 private:
@@ -204,10 +238,12 @@ private:
   void operator=(const vtkRUCUnitCellReconstruction&) = delete;
 
   void CheckProperties() const;
-  // Twice the saturation length, or with a warning the last lag
+  // Returns twice the saturation length; if it is not reached, warns and takes the last lag in its
+  // place
   double FindEdge(
     const ruc::TwoPointProbability& probability, double diameter, RankCommunicator& ranks);
-  // Why the search should end now, for a reason from outside; all but the time only rank 0 knows
+  // Returns a reason from outside why the search should end now; all but the time limit are known
+  // only to rank 0
   ruc::EndReason FindStopReason(const ProgressReport& report, bool isFirstRank);
   // Searches, and fills the outputs
   void Reconstruct(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
@@ -216,7 +252,7 @@ private:
 
   CellProperties Cell;
   CellSearch::Settings Search;
-  int NumberOfOperatorWeights = ruc::NumberOfGeneticOperators; // given, of which as many are kept
+  int NumberOfOperatorWeights = ruc::NumberOfGeneticOperators; // how many were set
   double TimeLimit = 0.0;
   std::string StopFile;
 };

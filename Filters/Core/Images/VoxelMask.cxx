@@ -15,7 +15,8 @@ namespace ruc
 {
 namespace
 {
-// Of a mask, whose distances are found one after another: they then take a byte a voxel
+// The number of parts of a mask whose distances are found one after another, so that they take a
+// byte for each voxel
 constexpr int Parts = 8;
 
 /**
@@ -110,7 +111,7 @@ std::vector<std::uint8_t> WithoutRim(
   std::vector<std::uint8_t> apart = inside;
   for (int q = 0; q < 3; ++q)
   {
-    // What the voxels before were, which are overwritten
+    // The former values of the voxels before, which are overwritten
     std::vector<std::uint8_t> before(strides[q]);
     for (std::size_t n = 0; n < apart.size(); ++n)
     {
@@ -124,8 +125,8 @@ std::vector<std::uint8_t> WithoutRim(
 }
 
 /**
- * The squared distance of the voxels' centres from the nearest centre of a voxel that is 0, for
- * some planes of voxels of the same x at a time: that takes eight bytes a voxel.
+ * The squared distances of the voxels' centres from the nearest centre of a voxel that is 0, for
+ * some planes of voxels with the same x at a time. They take eight bytes for each of these voxels.
  */
 class SquaredDistances
 {
@@ -140,7 +141,7 @@ public:
   {
   }
 
-  // Of the planes first to last - 1, in the order of the voxels
+  // Finds the distances in the planes first to last - 1, in the order of the voxels
   const std::vector<double>& Find(int first, int last)
   {
     const std::array<int, 3> part = { last - first, this->Dimensions[1], this->Dimensions[2] };
@@ -180,7 +181,8 @@ public:
   }
 
 private:
-  // How many voxels the nearest 0 of a line along x is away from each of its voxels; -1: no 0
+  // Finds, for each voxel of a line along x, how many voxels away the nearest 0 of the line is; -1
+  // if there is none
   void FindAlongLine(std::int64_t line, std::vector<int>& away) const
   {
     const int count = this->Dimensions[0];

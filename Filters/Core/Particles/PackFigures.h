@@ -19,8 +19,8 @@ struct PackFigures
   double LargestRadius = 0.0;
   double MeanDiameter = 0.0; // the volume mean
   int Modes = 1;
-  int Types = 1; // the number of different pairs of mode and radius
-  std::vector<double> ModeRadius = {}; // half the volume mean diameter of every mode that is known
+  int Types = 1;                       // the number of different pairs of mode and radius
+  std::vector<double> ModeRadius = {}; // half the volume mean diameter of every known mode
 
   /** The number of spheres per unit volume. */
   double Density() const { return this->Spheres / this->Observed.Volume(); }

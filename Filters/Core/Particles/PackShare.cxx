@@ -42,8 +42,9 @@ SpherePack ExchangeSpheres(SpherePack piece, std::int64_t total, Communicator& r
   return own;
 }
 
-// The radius in units of which those of every mode are summed: the pack's largest; where the whole
-// mode is so much smaller that too few digits of its cubes would be left, the mode's largest
+// Returns the radius in units of which those of every mode are summed: the largest of the pack; if
+// a whole mode is so much smaller that too few digits of its cubes would be left, the largest of
+// the mode
 std::vector<double> FindUnits(const SpherePack& own, std::size_t modes, Communicator& ranks)
 {
   constexpr double muchSmaller = 0x1p-10;

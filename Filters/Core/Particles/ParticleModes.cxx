@@ -154,8 +154,7 @@ std::vector<double> FindEdges(const std::vector<double>& diameters, const Extrem
 std::vector<ModeSummary> Summarise(const std::vector<double>& diameters,
   const std::vector<double>& edges, double greatest, Communicator& ranks)
 {
-  // For every mode where its diameters end, and two numbers, its least diameter and minus its
-  // greatest
+  // For every mode: where its diameters end, and the least and minus the greatest of them
   const std::size_t modes = edges.size() + 1;
   std::vector<std::vector<double>::const_iterator> ends = { diameters.begin() };
   std::vector<double> extremes(2 * modes, INFINITY);
@@ -171,8 +170,9 @@ std::vector<ModeSummary> Summarise(const std::vector<double>& diameters,
     }
   }
   ranks.Minimum(extremes.data(), extremes.size());
-  // Count, and sum of d^3 in fixed point, in units of the greatest of all; where a whole mode is so
-  // much smaller that too few digits would be left, of its own greatest
+  // For every mode: its count, and the sum of d^3 in fixed point. The unit is the greatest diameter
+  // of all; if a whole mode is so much smaller that too few digits would be left, it is the
+  // greatest of the mode
   constexpr double scale = 0x1p50, muchSmaller = 0x1p-10;
   const auto unitOf = [&](std::size_t m)
   {
@@ -253,8 +253,8 @@ int ParticleModes::ModeOf(double diameter) const
 Estimate EstimateModes(double spheres, ModeMethod method)
 {
   constexpr double SecondsPerSphere = 5e-7;
-  constexpr double BytesPerSphere = 200.0; // read, sorted, handed on
-  // The diameters of all on every rank, as they come and put together
+  constexpr double BytesPerSphere = 200.0; // to read, sort and hand it on
+  // Every rank has the diameters of all, as they come and put together
   const double gathered = method == ModeMethod::EqualVolume ? 2.0 * sizeof(double) : 0.0;
   return { spheres * SecondsPerSphere, spheres * gathered / BytesOfMegabyte,
     spheres * BytesPerSphere / BytesOfMegabyte };

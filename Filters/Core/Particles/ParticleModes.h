@@ -37,7 +37,7 @@ struct ModeSettings
  */
 constexpr int MostModes = 256;
 
-/** What sorting so many spheres, and handing them on with their modes, takes. */
+/** Estimates what it takes to sort so many spheres, and to hand them on with their modes. */
 Estimate EstimateModes(double spheres, ModeMethod method);
 
 /** The spheres of one mode. */

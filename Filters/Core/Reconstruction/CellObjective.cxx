@@ -139,7 +139,7 @@ CellFigures FiguresOf(const CellContents& contents)
 
 double EstimateObjectiveBytes(const CellFigures& cell, const LagGrid& lags)
 {
-  // Of a number of the histogram: counts, penalty, potential, its slopes, what ranks gather
+  // For each number of the histogram: counts, penalty, potential, its slopes, and what ranks gather
   constexpr double bytesOfNumber = 6.0 * sizeof(double);
   const std::vector<SphereType> types = CellTypes(cell.Radius);
   return PairHistogram::EstimateTables(types, lags, SearchKnots) +

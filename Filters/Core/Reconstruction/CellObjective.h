@@ -83,15 +83,15 @@ struct CellFigures
   double Density = 0.0; // spheres per volume
   double LargestRadius = 0.0;
   int Modes = 1;
-  std::vector<double> Radius; // of the modes, as far as they are known
+  std::vector<double> Radius; // the radii of the modes, as far as they are known
 };
 
 /** Returns the figures of the spheres that fill a cell. */
 CellFigures FiguresOf(const CellContents& contents);
 
 /**
- * The bytes that an objective takes on every rank. They grow with the ratio of the largest radius,
- * or of the last lag, to the smallest radius.
+ * Returns the bytes that an objective takes on every rank. They grow with the ratio of the largest
+ * radius, or of the last lag, to the smallest radius.
  */
 double EstimateObjectiveBytes(const CellFigures& cell, const LagGrid& lags);
 

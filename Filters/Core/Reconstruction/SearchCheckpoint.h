@@ -18,8 +18,8 @@ namespace ruc
  *
  * The format has version 2, with all numbers in the byte order of the machine: the text "RUCSTATE";
  * the version (32 bits); the length of what follows without the checksum (64 bits); the four
- * fingerprints (64 bits each); the stops and the state as Base/Bytes.h writes them; and the FNV-1a-64
- * checksum of everything before (64 bits).
+ * fingerprints (64 bits each); the stops and the state as Base/Bytes.h writes them; and the
+ * FNV-1a-64 checksum of everything before (64 bits).
  */
 
 /**
@@ -50,8 +50,8 @@ SearchKey MakeKey(const CellContents& contents, const TwoPointProbability& targe
 struct SearchStops
 {
   int Count = 0;
-  bool BeforeState = false; // the last time there was no state yet: the search begins anew
-  std::string Shown;        // what its caller showed then, in bytes; empty once it goes on
+  bool BeforeState = false; // there was no state yet the last time, so the search begins anew
+  std::string Shown;        // what its caller showed then, as bytes; empty once it goes on
 
   template <class Self>
   static auto Fields(Self& self)

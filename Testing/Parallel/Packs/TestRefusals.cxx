@@ -23,7 +23,7 @@ TEST(ParticleModesRefusals, TooLittleMemory)
     [](Modes* f) { f->SetMemoryLimit(0.001); });
 }
 
-// Not a list of so many diameters
+// It makes no list of so many diameters
 TEST(ParticleModesRefusals, AnEdgeFarBehindTheOthers)
 {
   vtkNew<Modes> filter;

@@ -52,8 +52,8 @@ TEST(PackShare, AModeOfTinySpheresKeepsItsVolume)
         {
           const ruc::PackShare share =
             ruc::SharePack(oracle::PieceOf(pack, ranks.Rank(), size, false), box, true, ranks);
-          // Half a unit of 2^-50 of the largest sphere's cube, or of the mode's largest where that
-          // is smaller by more than 2^10
+          // The error is half a unit of 2^-50 of the largest sphere's cube, or of the mode's
+          // largest if that is smaller by more than 2^10
           EXPECT_NEAR(share.Volume[1] / (4.0 / 3.0 * oracle::Pi * cubes), 1.0, 1e-6);
           EXPECT_NEAR(share.Surface[1] / (4.0 * oracle::Pi * squares), 1.0, 1e-6);
           EXPECT_EQ(share.Volume, ruc::SharePack(pack, box).Volume);

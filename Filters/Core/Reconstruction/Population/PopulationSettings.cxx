@@ -47,7 +47,8 @@ Estimate EstimatePopulationSearch(
   const double children = settings.RefinementSteps > 0 ? 0.0 : settings.MatingPool;
   return { settings.Population * member +
       static_cast<double>(settings.MaximumGenerations) * (children * child + descent),
-    // Members as they are and as they are handed round; an objective of the rank and one a thread
+    // Members are there once more while they are handed round; each rank has an objective, and one
+    // for each thread
     (settings.Population * cell.Spheres * 48.0 +
       (1.0 + omp_get_max_threads()) * EstimateObjectiveBytes(cell, lags)) /
       BytesOfMegabyte,

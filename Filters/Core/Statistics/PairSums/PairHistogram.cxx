@@ -12,7 +12,7 @@ namespace ruc
 {
 namespace
 {
-constexpr double MostNumbers = 1 << 30; // half of what 31 bits hold, as they are estimated
+constexpr double MostNumbers = 1 << 30; // half of what 31 bits hold, as the numbers are estimated
 }
 
 PairHistogram::PairHistogram(

@@ -43,8 +43,10 @@ struct SphereType
 class PairHistogram
 {
 public:
-  /** Throws std::invalid_argument for so many numbers that a place among them takes more than 31
-   * bits, as with radii that differ by a factor of a hundred million. */
+  /**
+   * Throws std::invalid_argument if there are so many numbers that a place among them takes more
+   * than 31 bits, as with radii that differ by a factor of a hundred million.
+   */
   PairHistogram(std::vector<SphereType> types, const LagGrid& lags,
     const KnotResolution& resolution = ExactKnots);
 
