@@ -13,8 +13,8 @@
  * `BoxSize` the window becomes field data of the pack, and every centre must lie in it. If an axis
  * is periodic, rows that only repeat a sphere in a neighbouring image of the box are left out; the
  * field data `NumberOfGhosts` and a warning give their number. Other centres outside along such an
- * axis are moved into the box; a warning gives their number. GetSummary, and a line of the log, tell
- * what was read.
+ * axis are moved into the box; a warning gives their number. GetSummary, and a line of the log,
+ * tell what was read.
  *
  * Rank 0 reads the file and holds the whole output. A file that cannot be read gives an error and
  * an output that is empty but for the field data `Refusal`; with such an input every filter of this
@@ -41,7 +41,7 @@ public:
   static vtkRUCSpherePackReader* New();
   vtkTypeMacro(vtkRUCSpherePackReader, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  /** With which messages begin. */
+  /** Returns the name with which messages begin. */
   std::string GetObjectDescription() const override { return "Sphere Pack Reader"; }
 
   ///@{
@@ -96,8 +96,10 @@ public:
   vtkGetVector3Macro(BoxPeriodic, int);
   ///@}
 
-  /** What was last read: number, radii, extent, window and fraction (ruc::PackOverview); empty
-   * before, and where the file was refused. */
+  /**
+   * Returns what was last read: number, radii, extent, window and fraction (ruc::PackOverview). It
+   * is empty before, and if the file was refused.
+   */
   vtkGetCharFromStdStringMacro(Summary);
 
 protected:
@@ -111,7 +113,7 @@ private:
 
   // Fills the output from the file, or throws std::invalid_argument
   void Read(vtkPolyData* output);
-  // Without periodic copies, with every centre in the window, which becomes field data
+  // Leaves out periodic copies and moves every centre into the window, which becomes field data
   void PutIntoBox(ruc::SpherePackText& spheres, const ruc::Window& window, vtkPolyData* output);
 
   std::string FileName;

@@ -9,8 +9,8 @@ class QLabel;
 class vtkSMProxy;
 
 /**
- * A line in the panel of a reader that tells what was read, its information property Summary. It
- * stands in place of an editor of the property FileName.
+ * A line in the panel of a reader that tells what was read, which is the reader's information
+ * property Summary. It stands in place of an editor of the property FileName.
  */
 class pqRUCSummaryWidget : public pqPropertyWidget
 {

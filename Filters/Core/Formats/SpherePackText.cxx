@@ -282,8 +282,8 @@ double Number(
   return value;
 }
 
-// The whole number of a field, which a double holds exactly. Where it is none, the column is left
-// out from then on, and what was read of it: not every program means the same by such a name.
+// Reads the whole number of a field, which a double holds exactly. If the field is no whole number,
+// the column is left out, with what was read of it: not every program means the same by such a name
 template <class Value>
 void AppendWhole(std::size_t line, const std::vector<std::string_view>& fields, int& column,
   double most, const Columns& columns, std::vector<Value>& values,

@@ -29,8 +29,10 @@ struct SpherePackTextSettings
   double Scale = 1.0;
 };
 
-/** A pack as it stands in a text; `Mode` and `Id` are empty where the text has no such column of
- * whole numbers. Radii of 0 are points, which no filter takes for spheres. */
+/**
+ * A pack as it stands in a text. `Mode` and `Id` are empty if the text has no such column of whole
+ * numbers. Spheres of radius 0 are points, which no filter takes for spheres.
+ */
 struct SpherePackText
 {
   SpherePack Pack;

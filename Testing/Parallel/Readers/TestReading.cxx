@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What the Sphere Pack Reader makes of texts, and what it says; on rank 0, which alone reads
+// What the Sphere Pack Reader makes of texts, and what it says, on rank 0, which alone reads
 #include "Refusals.h"
 
 #include "vtkRUCSpherePackReader.h"
@@ -118,7 +118,7 @@ TEST(Reading, UnitsThatDoNotFitAreToldOnce)
 {
   if (Rank() == 0)
   {
-    // Metres in a box of micrometres
+    // The centres are in metres, the box is in micrometres
     Reading reading(
       "x,y,z,radius\n1e-6,1e-6,1e-6,1e-6\n6e-6,5e-6,4e-6,1e-6\n3e-6,7e-6,9e-6,1e-6\n", InBoxOfTen);
     ASSERT_EQ(reading.Told().size(), 1u);
