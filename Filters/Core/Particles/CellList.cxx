@@ -10,7 +10,7 @@ namespace ruc
 {
 int CellList::Axis::CellOf(double c) const
 {
-  return std::clamp(static_cast<int>((c - this->Origin) / this->Width), 0, this->Count - 1);
+  return static_cast<int>(std::clamp((c - this->Origin) / this->Width, 0.0, this->Count - 1.0));
 }
 
 // The reach may be so many cells of a narrow pack that their number does not fit an int, hence the
@@ -226,8 +226,10 @@ void CellList::AppendRanges(const Grid& grid, const Vector3& point, double reach
 {
   const Axis &ax = grid.Axes[0], &ay = grid.Axes[1], &az = grid.Axes[2];
   // Centres were put into cells with rounding; the slack keeps a pair at exactly the reach from
-  // being missed.
-  const double ball = reach + 1e-12 * (reach + ax.Edge + ay.Edge + az.Edge);
+  // being missed. It is bounded, since a centre far out would lead it through images without end
+  // along the periodic axes.
+  const double slack = 1e-12 * (reach + ax.Edge + ay.Edge + az.Edge);
+  const double ball = reach + std::min(slack, reach);
   const double x = point[0], y = point[1], z = point[2];
   const int cx = ax.CellOf(x), cy = ay.CellOf(y), cz = az.CellOf(z);
 

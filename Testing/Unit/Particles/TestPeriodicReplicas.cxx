@@ -144,3 +144,15 @@ TEST(PeriodicReplicas, PeriodicCopiesAreFound)
     ruc::Window::MakeBox({ -1, 0, 0 }, { 10, 10, 10 }, { false, false, false });
   EXPECT_EQ(ruc::FindPeriodicCopies(pack, closed), std::vector<bool>(rows.size(), false));
 }
+
+// The rounding of the far centre leads no search through images of the box without end
+TEST(PeriodicReplicas, ACentreFarOutHidesNoCopy)
+{
+  const ruc::Window box = ruc::Window::MakeBox({ 0, 0, 0 }, { 10, 10, 10 }, { true, true, false });
+  ruc::SpherePack pack;
+  pack.X = { 1, 11, 4 };
+  pack.Y = { 5, 5, 5 };
+  pack.Z = { 5, 5, 6e24 };
+  pack.Radius = { 1, 1, 1 };
+  EXPECT_EQ(ruc::FindPeriodicCopies(pack, box), (std::vector<bool>{ false, true, false }));
+}
