@@ -477,32 +477,3 @@ TEST(ExactPairSum, LagsOutOfRange)
                 Window::MakeBox({ 0, 0, 0 }, { 10, 10, 2 }, { false, false, false }), { 0.1, 1 }),
     "edges longer than the largest sphere's diameter");
 }
-
-// Lags far finer than the spheres would take tables of gigabytes. For them S_rr = c_r - s r / 4,
-// with s the surface of the spheres of a mode per volume, to the second order.
-TEST(ExactPairSum, LagsFarFinerThanTheSpheres)
-{
-  const Window box = oracle::PeriodicCube(6.0);
-  const SpherePack pack = oracle::RelaxedPack({ 10, 20 }, { 0.9, 0.5 }, box, 3);
-  const LagGrid lags = { 1e-7, 277 };
-  std::vector<ruc::SphereType> types = { { 1, 0.9 }, { 2, 0.5 } };
-  EXPECT_GT(ruc::PairHistogram::EstimateTables(types, lags), 1e9);
-  const TwoPointProbability found = ruc::SumPairs(pack, box, lags);
-  const double counts[] = { 10.0, 20.0 }, radii[] = { 0.9, 0.5 };
-  for (int r : { 0, 1 })
-  {
-    const double surface = 4.0 * oracle::Pi * radii[r] * radii[r] * counts[r] / box.Volume();
-    for (int k = 0; k <= lags.Count; ++k)
-    {
-      const double lag = k * lags.Spacing;
-      EXPECT_NEAR(found.S(r, r)[k], found.Fractions[r] - 0.25 * surface * lag, 1e-8) << k;
-    }
-  }
-  ruc::PackFigures figures;
-  figures.Spheres = 30.0;
-  figures.Observed = box;
-  figures.MeanRadius = figures.LargestRadius = 0.9;
-  figures.Types = figures.Modes = 2;
-  EXPECT_LT(ruc::EstimatePairSum(figures, lags).MegabytesOfRank, 1.0);
-  EXPECT_GT(ruc::EstimatePairSum(figures, { 1e-5, 277 }).MegabytesOfRank, 5.0); // in tables
-}
