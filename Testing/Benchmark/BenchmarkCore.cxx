@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Times the loops that everything else waits for, on the example pack: the pair loop of the exact
- * sum (with its time for each pair); the objective of a cell of 1082 spheres and its gradient; and
+ * sum (with its time for each pair); the objective of a cell of 1082 spheres and its gradient;
  * throws for three-point probabilities (with the time of a throw, and that of the plain template,
- * which counts the same and so has the same error). It runs on one thread unless OMP_NUM_THREADS
- * says otherwise.
+ * which counts the same and so has the same error); and the reading of a dump of 10^6 spheres (with
+ * the most bytes for each sphere that it takes above the file). It runs on one thread unless
+ * OMP_NUM_THREADS says otherwise.
  */
 #include "ruc/Base/Random.h"
+#include "ruc/Formats/FramePack.h"
+#include "ruc/Formats/PackFormats.h"
 #include "ruc/Formats/SpherePackText.h"
 #include "ruc/Particles/CellList.h"
 #include "ruc/Particles/ParticleModes.h"
@@ -21,8 +24,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <string>
 
 namespace
 {
@@ -191,6 +196,58 @@ void Fans(benchmark::State& state)
   state.counters["times_cheaper"] = plain / fan;
 }
 BENCHMARK(Fans)->Unit(benchmark::kMillisecond);
+
+constexpr int DumpRows = 1000000;
+
+// id type radius x y z of six digits, ids in no order
+std::string MakeDump()
+{
+  std::string dump = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n" + std::to_string(DumpRows) +
+    "\nITEM: BOX BOUNDS pp pp pp\n0 100\n0 100\n0 100\nITEM: ATOMS id type radius x y z\n";
+  char row[128];
+  for (int n = 0; n < DumpRows; ++n)
+  {
+    const auto u = ruc::UniformTriple(1, ruc::RandomStream::CellCentres, n);
+    const long long id = 1 + 7919ll * n % DumpRows;
+    std::snprintf(row, sizeof row, "%lld %d 0.25 %.6f %.6f %.6f\n", id, 1 + n % 3, 100 * u[0],
+      100 * u[1], 100 * u[2]);
+    dump += row;
+  }
+  return dump;
+}
+
+// VmHWM or VmRSS of this process, in bytes
+double MemoryOf(const std::string& key)
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+  {
+    double kilobytes;
+    if (word == key && status >> kilobytes)
+    {
+      return 1024 * kilobytes;
+    }
+  }
+  return 0.0;
+}
+
+void ReadDump(benchmark::State& state)
+{
+  const std::string dump = MakeDump();
+  const ruc::PackFormat* format = nullptr;
+  std::ofstream("/proc/self/clear_refs") << "5"; // the peak begins anew
+  const double before = MemoryOf("VmRSS:");
+  for (auto _ : state)
+  {
+    ruc::MemoryBytes bytes(dump);
+    format = ruc::FindFormat(bytes);
+    const auto frames = format->Scan(bytes);
+    benchmark::DoNotOptimize(
+      ruc::MakePack(ruc::ReadFrame(*format, bytes, frames, 0, {}), {}).Pack.X.data());
+  }
+  state.counters["bytes/sphere"] = (MemoryOf("VmHWM:") - before) / DumpRows;
+}
+BENCHMARK(ReadDump)->Unit(benchmark::kMillisecond);
 }
 
 BENCHMARK_MAIN();

@@ -89,9 +89,27 @@ public:
   std::vector<ruc::FramePlace> Frames;
 };
 
+struct HeldText
+{
+  std::string Text;
+};
+
+/** A text that it keeps. */
+class TextBytes
+  : private HeldText
+  , public ruc::MemoryBytes
+{
+public:
+  explicit TextBytes(std::string_view text)
+    : HeldText{ std::string(text) }
+    , ruc::MemoryBytes(HeldText::Text)
+  {
+  }
+};
+
 inline Opened OpenText(std::string_view text, const ruc::ReadSettings& settings = {})
 {
-  return Opened(std::make_unique<ruc::MemoryBytes>(text), settings);
+  return Opened(std::make_unique<TextBytes>(text), settings);
 }
 
 /** With the files beside it. */
