@@ -88,7 +88,7 @@ class StatisticsPictures(Charts):
         limit = self.c[r] * self.c[s]
         top = min(high, limit + 2.0 * (limit - low))  # higher values are near the centre only
         table = GetColorTransferFunction(name)
-        table.ApplyPreset("Viridis (matplotlib)", True)
+        table.ApplyPreset("Cividis", True)
         table.RescaleTransferFunction(low, top)
         table.NumberOfTableValues = 128
         display.SetScalarBarVisibility(view, True)

@@ -200,9 +200,9 @@ def main():
         phases = triple[2:]
         name = f"S_{phases.replace('_', '')}"
         drawn.draw_maps("pack", triple, f"{name}(r1, r2, theta) of the pack; standard error about {drawn.typical_error('pack', triple):.1g}",
-                        f"three_point_{phases}.png", "Viridis (matplotlib)", True)
+                        f"three_point_{phases}.png", "Cividis", True)
         drawn.draw_maps("difference", triple, f"Difference of {name} between pack and cell, its magnitude; standard error about "
-                        f"{drawn.typical_error('difference', triple):.1g}", f"three_point_difference_{phases}.png", "Inferno (matplotlib)", False)
+                        f"{drawn.typical_error('difference', triple):.1g}", f"three_point_difference_{phases}.png", "Black-Body Radiation", False)
         drawn.draw_limit(triple, f"degenerate_{phases}.png")
 
 

@@ -241,7 +241,7 @@ modes.Method = "One Per Size"
 Render(view)
 assert list(table.Annotations) == [str(1 + i // 2) for i in range(18)], table.Annotations
 assert len({tuple(table.IndexedColors[3 * i:3 * i + 3]) for i in range(9)}) == 9 and table.InterpretValuesAsCategories == 1
-table.ApplyPreset("Viridis (matplotlib)")
+table.ApplyPreset("Cividis")
 modes.UpdatePipeline()
 Render(view)
 assert table.InterpretValuesAsCategories == 0

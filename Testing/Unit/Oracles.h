@@ -318,6 +318,36 @@ inline double LeastGap(const ruc::SpherePack& pack, const ruc::Window& box)
   return least;
 }
 
+/** Edge of a cube that these spheres fill to a fraction. */
+inline double EdgeFor(
+  const std::vector<int>& counts, const std::vector<double>& radii, double fraction)
+{
+  double volume = 0.0;
+  for (std::size_t m = 0; m < counts.size(); ++m)
+  {
+    volume += counts[m] * 4.0 / 3.0 * Pi * std::pow(radii[m], 3);
+  }
+  return std::cbrt(volume / fraction);
+}
+
+/** A mean and its standard error. */
+struct Mean
+{
+  double Sum = 0.0, Squares = 0.0, Count = 0.0;
+
+  void Add(double value)
+  {
+    this->Sum += value;
+    this->Squares += value * value;
+    this->Count += 1.0;
+  }
+  double Value() const { return this->Sum / this->Count; }
+  double Error() const
+  {
+    return std::sqrt((this->Squares / this->Count - this->Value() * this->Value()) / this->Count);
+  }
+};
+
 inline ruc::Window PeriodicCube(double edge)
 {
   return ruc::Window::MakeBox({ 0.0, 0.0, 0.0 }, { edge, edge, edge }, { true, true, true });

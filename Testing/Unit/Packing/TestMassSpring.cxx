@@ -7,16 +7,6 @@
 
 namespace
 {
-double EdgeFor(const std::vector<int>& counts, const std::vector<double>& radii, double fraction)
-{
-  double volume = 0.0;
-  for (std::size_t m = 0; m < counts.size(); ++m)
-  {
-    volume += counts[m] * 4.0 / 3.0 * oracle::Pi * std::pow(radii[m], 3);
-  }
-  return std::cbrt(volume / fraction);
-}
-
 void ExpectInBox(const ruc::SpherePack& pack, const ruc::Window& box)
 {
   for (std::size_t i = 0; i < pack.Size(); ++i)
@@ -43,7 +33,7 @@ TEST(MassSpring, EndsWithoutOverlap)
   {
     for (double fraction : { 0.3, 0.55, 0.6, 0.62 })
     {
-      const ruc::Window box = oracle::PeriodicCube(EdgeFor(c.Counts, c.Radii, fraction));
+      const ruc::Window box = oracle::PeriodicCube(oracle::EdgeFor(c.Counts, c.Radii, fraction));
       ruc::SpherePack pack = oracle::RandomPack(c.Counts, c.Radii, box, 33);
       EXPECT_FALSE(ruc::MeasureOverlap(pack, box).IsNone());
       EXPECT_TRUE(ruc::MoveBySpringsUntilFree(pack, box, 7)) << fraction;
@@ -90,7 +80,7 @@ TEST(MassSpring, APackWithoutOverlapStaysAsItIs)
 
 TEST(MassSpring, EndsAfterTheStepsItIsGiven)
 {
-  const ruc::Window box = oracle::PeriodicCube(EdgeFor({ 16 }, { 1.0 }, 0.8)); // impossible
+  const ruc::Window box = oracle::PeriodicCube(oracle::EdgeFor({ 16 }, { 1.0 }, 0.8)); // impossible
   ruc::SpherePack pack = oracle::RandomPack({ 16 }, { 1.0 }, box, 3);
   EXPECT_EQ(ruc::MoveBySprings(pack, box, 50), 50);
   EXPECT_FALSE(ruc::MeasureOverlap(pack, box).IsNone());
@@ -99,7 +89,7 @@ TEST(MassSpring, EndsAfterTheStepsItIsGiven)
 
 TEST(MassSpring, StopsWhenItIsTold)
 {
-  const ruc::Window box = oracle::PeriodicCube(EdgeFor({ 16 }, { 1.0 }, 0.8)); // impossible
+  const ruc::Window box = oracle::PeriodicCube(oracle::EdgeFor({ 16 }, { 1.0 }, 0.8)); // impossible
   const ruc::SpherePack start = oracle::RandomPack({ 16 }, { 1.0 }, box, 3);
   // It is stopped among the steps, and while overlap is removed another way after the 2000th
   for (int stopAt : { 1, 5, 250 })
@@ -114,7 +104,7 @@ TEST(MassSpring, StopsWhenItIsTold)
 
 TEST(MassSpring, LessOverlapWithMoreSteps)
 {
-  const ruc::Window box = oracle::PeriodicCube(EdgeFor({ 200 }, { 1.0 }, 0.6));
+  const ruc::Window box = oracle::PeriodicCube(oracle::EdgeFor({ 200 }, { 1.0 }, 0.6));
   const ruc::SpherePack start = oracle::RandomPack({ 200 }, { 1.0 }, box, 3);
   double last = ruc::MeasureOverlap(start, box).Percent;
   for (int steps : { 10, 30, 100 })

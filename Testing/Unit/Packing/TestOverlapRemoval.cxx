@@ -8,17 +8,6 @@ namespace
 {
 const auto Always = []() { return true; };
 
-// The edge of a cube that these spheres fill to a fraction
-double EdgeFor(const std::vector<int>& counts, const std::vector<double>& radii, double fraction)
-{
-  double volume = 0.0;
-  for (std::size_t m = 0; m < counts.size(); ++m)
-  {
-    volume += counts[m] * 4.0 / 3.0 * oracle::Pi * std::pow(radii[m], 3);
-  }
-  return std::cbrt(volume / fraction);
-}
-
 void ExpectOverlapOfBruteForce(const ruc::SpherePack& pack, const ruc::Window& box)
 {
   double shared = 0.0, total = 0.0, deepest = -1.0;
@@ -104,7 +93,7 @@ TEST(OverlapRemoval, LeavesNoOverlap)
   {
     for (double fraction : { 0.3, 0.55, 0.62 })
     {
-      const ruc::Window box = oracle::PeriodicCube(EdgeFor(c.Counts, c.Radii, fraction));
+      const ruc::Window box = oracle::PeriodicCube(oracle::EdgeFor(c.Counts, c.Radii, fraction));
       ruc::SpherePack pack = oracle::RandomPack(c.Counts, c.Radii, box, 33);
       EXPECT_LT(oracle::LeastGap(pack, box), 0.0);
       EXPECT_TRUE(ruc::RemoveOverlap(pack, box, 7, Always)) << fraction;
@@ -150,8 +139,8 @@ TEST(OverlapRemoval, WorksAcrossABoxThatIsNotACube)
 
 TEST(OverlapRemoval, ImpossibleIsReported)
 {
-  const ruc::Window box =
-    oracle::PeriodicCube(EdgeFor({ 16 }, { 1.0 }, 0.8)); // above the densest packing, 0.7405
+  const ruc::Window box = oracle::PeriodicCube(
+    oracle::EdgeFor({ 16 }, { 1.0 }, 0.8)); // above the densest packing, 0.7405
   ruc::SpherePack pack = oracle::RandomPack({ 16 }, { 1.0 }, box, 3);
   EXPECT_FALSE(ruc::RemoveOverlap(pack, box, 1, Always));
   EXPECT_LT(oracle::LeastGap(pack, box), 0.0);
@@ -159,7 +148,7 @@ TEST(OverlapRemoval, ImpossibleIsReported)
 
 TEST(OverlapRemoval, StopsWhenItIsTold)
 {
-  const ruc::Window box = oracle::PeriodicCube(EdgeFor({ 200 }, { 1.0 }, 0.6));
+  const ruc::Window box = oracle::PeriodicCube(oracle::EdgeFor({ 200 }, { 1.0 }, 0.6));
   const ruc::SpherePack start = oracle::RandomPack({ 200 }, { 1.0 }, box, 3);
   ruc::SpherePack pack = start;
   int calls = 0;
@@ -172,7 +161,7 @@ TEST(OverlapRemoval, StopsWhenItIsTold)
 
 TEST(OverlapRemoval, IsReproducible)
 {
-  const ruc::Window box = oracle::PeriodicCube(EdgeFor({ 100 }, { 1.0 }, 0.6));
+  const ruc::Window box = oracle::PeriodicCube(oracle::EdgeFor({ 100 }, { 1.0 }, 0.6));
   ruc::SpherePack a = oracle::RandomPack({ 100 }, { 1.0 }, box, 5), b = a;
   ruc::RemoveOverlap(a, box, 4, Always);
   ruc::RemoveOverlap(b, box, 4, Always);

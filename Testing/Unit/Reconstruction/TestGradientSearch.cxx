@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Reconstruction/GradientSearch.h"
 
-#include "Oracles.h"
+#include "SearchProblem.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
 
 #include <omp.h>
@@ -12,8 +12,6 @@ namespace
 using ruc::SearchState;
 using ruc::TwoPointProbability;
 using ruc::UnitCell;
-
-const auto CarryOn = [](const SearchState&) { return true; };
 
 // A pack of 8 times 60 spheres, and a cell of 60
 struct Problem
@@ -90,18 +88,6 @@ void ExpectConsistent(const UnitCell& cell)
   EXPECT_EQ(cell.Overlap.IsNone(), oracle::LeastGap(cell.Pack, cell.Box) >= 0.0);
 }
 
-void ExpectEqual(const UnitCell& a, const UnitCell& b)
-{
-  EXPECT_TRUE(a.Pack.X == b.Pack.X && a.Pack.Y == b.Pack.Y && a.Pack.Z == b.Pack.Z);
-  EXPECT_EQ(a.Objective, b.Objective);
-  EXPECT_EQ(a.EndedBy, b.EndedBy);
-  EXPECT_TRUE(a.Probability.Values == b.Probability.Values);
-  ASSERT_EQ(a.Convergence.size(), b.Convergence.size());
-  for (std::size_t n = 0; n < a.Convergence.size(); ++n)
-  {
-    EXPECT_EQ(a.Convergence[n].Objective, b.Convergence[n].Objective);
-  }
-}
 }
 
 TEST(GradientSearch, FindsABetterCellWithoutOverlap)

@@ -17,8 +17,6 @@ using ruc::SearchKey;
 using ruc::SearchState;
 using ruc::UnitCell;
 
-const auto CarryOn = [](const SearchState&) { return true; };
-
 GradientSearchSettings Gradient(int iterations)
 {
   GradientSearchSettings settings;
@@ -48,24 +46,6 @@ UnitCell Search(const GradientSearchSettings& settings, ruc::Communicator& ranks
 {
   return ruc::SearchByGradient(
     TheSearchProblem().Contents, TheSearchProblem().Target, settings, ranks, carryOn, resume, save);
-}
-
-void ExpectEqual(const UnitCell& a, const UnitCell& b)
-{
-  EXPECT_TRUE(a.Pack.X == b.Pack.X && a.Pack.Y == b.Pack.Y && a.Pack.Z == b.Pack.Z);
-  EXPECT_EQ(a.Objective, b.Objective);
-  EXPECT_EQ(a.StartObjective, b.StartObjective);
-  EXPECT_EQ(a.EndedBy, b.EndedBy);
-  EXPECT_EQ(a.Iterations, b.Iterations);
-  EXPECT_TRUE(a.Probability.Values == b.Probability.Values);
-  ASSERT_EQ(a.Convergence.size(), b.Convergence.size());
-  for (std::size_t n = 0; n < a.Convergence.size(); ++n)
-  {
-    EXPECT_EQ(a.Convergence[n].Phase, b.Convergence[n].Phase);
-    EXPECT_EQ(a.Convergence[n].Iteration, b.Convergence[n].Iteration);
-    EXPECT_EQ(a.Convergence[n].Objective, b.Convergence[n].Objective);
-    EXPECT_EQ(a.Convergence[n].OverlapPercent, b.Convergence[n].OverlapPercent);
-  }
 }
 
 // A small state with every member set

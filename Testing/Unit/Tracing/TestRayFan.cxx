@@ -9,6 +9,7 @@
 
 namespace
 {
+using oracle::Mean;
 using ruc::CellList;
 using ruc::FanTracer;
 using ruc::RayDirections;
@@ -105,23 +106,6 @@ constexpr std::array<bool, 3> Periodicities[] = { { false, false, false }, { tru
 
 const Window Unit = Window::MakeBox({ 0, 0, 0 }, { 1, 1, 1 }, { false, false, false });
 
-/** A mean and its standard error. */
-struct Mean
-{
-  double Sum = 0.0, Squares = 0.0, Count = 0.0;
-
-  void Add(double value)
-  {
-    this->Sum += value;
-    this->Squares += value * value;
-    this->Count += 1.0;
-  }
-  double Value() const { return this->Sum / this->Count; }
-  double Error() const
-  {
-    return std::sqrt((this->Squares / this->Count - this->Value() * this->Value()) / this->Count);
-  }
-};
 }
 
 TEST(RayFan, IsOrthonormalAndRightHanded)

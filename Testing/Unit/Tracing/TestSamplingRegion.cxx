@@ -6,6 +6,7 @@
 
 namespace
 {
+using oracle::Mean;
 using oracle::Pi;
 using ruc::LineBundle;
 using ruc::SampleLine;
@@ -16,24 +17,6 @@ using ruc::Window;
 
 const Window Box = Window::MakeBox({ -1, 2, 3 }, { 4.0, 5.0, 7.0 }, { false, false, false });
 const Window Cylinder = Window::MakeCylinder({ 1, 2, 3 }, { 1, -2, 0.5 }, 2.0, 5.0);
-
-/** A mean and its standard error. */
-struct Mean
-{
-  double Sum = 0.0, Squares = 0.0, Count = 0.0;
-
-  void Add(double value)
-  {
-    this->Sum += value;
-    this->Squares += value * value;
-    this->Count += 1.0;
-  }
-  double Value() const { return this->Sum / this->Count; }
-  double Error() const
-  {
-    return std::sqrt((this->Squares / this->Count - this->Value() * this->Value()) / this->Count);
-  }
-};
 
 // Expects a mean within 4 standard errors; with some 40 such comparisons in this file, one fails in
 // 400 seeds

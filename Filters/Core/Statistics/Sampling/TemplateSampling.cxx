@@ -16,7 +16,7 @@ namespace
 {
 constexpr SampleNames Throws = { "NumberOfThrows", "throws" };
 constexpr std::int32_t OutsideRegion = -1;
-constexpr int MostThrowsInBatch = 32;
+constexpr int ThrowsInBatch = 32;
 
 Vector3 Wrapped(Vector3 point, const Window& box)
 {
@@ -197,7 +197,7 @@ SampledTwoPoint SampleTemplate(const SpherePack& own, int modes, const SamplingR
   const SamplingProgress& progress)
 {
   CheckSampling(settings, Throws, modes, lags, region);
-  const int throwsInBatch = SamplesInBatch(settings, MostThrowsInBatch);
+  const int throwsInBatch = SamplesInBatch(settings, ThrowsInBatch);
   SampledSums sums(modes, lags, static_cast<double>(throwsInBatch) * NumberOfRays);
   ThrownPoints points(own, modes, region, lags);
   const auto take = [&](const BatchRange& range)

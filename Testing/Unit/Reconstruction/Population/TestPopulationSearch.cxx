@@ -19,8 +19,6 @@ using ruc::PopulationSettings;
 using ruc::PopulationState;
 using ruc::SearchState;
 
-const auto CarryOn = [](const SearchState&) { return true; };
-
 PopulationSettings Annealed(int generations, std::uint32_t seed = 1)
 {
   PopulationSettings settings;

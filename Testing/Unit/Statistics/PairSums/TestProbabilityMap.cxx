@@ -56,7 +56,7 @@ std::array<double, 3> BruteForce(
   return s;
 }
 
-const std::vector<Window> Windows = {
+const std::vector<Window> MapWindows = {
   oracle::PeriodicCube(10.0),
   Window::MakeBox({ 0, 0, 0 }, { 10, 10, 10 }, { false, false, false }),
   Window::MakeBox({ 0, 0, 0 }, { 10, 10, 10 }, { true, false, true }),
@@ -74,7 +74,7 @@ SpherePack PackIn(const Window& window, bool overlapping)
 
 TEST(ProbabilityMap, EqualsBruteForceOverPairs)
 {
-  for (const Window& window : Windows)
+  for (const Window& window : MapWindows)
   {
     for (bool overlapping : { false, true })
     {
@@ -120,7 +120,7 @@ TEST(ProbabilityMap, EqualsBruteForceOverPairs)
 
 TEST(ProbabilityMap, EvenAndSymmetricAndZeroLag)
 {
-  const Window window = Windows[2];
+  const Window window = MapWindows[2];
   const SpherePack pack = PackIn(window, false);
   PhasePairs swapped = AllPairs;
   for (auto& pair : swapped)
@@ -155,7 +155,7 @@ TEST(ProbabilityMap, EvenAndSymmetricAndZeroLag)
 
 TEST(ProbabilityMap, AlongTheAxesTheDirectionalFunctions)
 {
-  for (const Window& window : Windows)
+  for (const Window& window : MapWindows)
   {
     const SpherePack pack = PackIn(window, true);
     const ruc::ProbabilityMap map = Map(pack, window, AllPairs, 0.2, 2.4);
@@ -181,7 +181,7 @@ TEST(ProbabilityMap, AlongTheAxesTheDirectionalFunctions)
 TEST(ProbabilityMap, TheSameForAnyRanksAndThreads)
 {
   const int threads = omp_get_max_threads();
-  for (const Window& window : Windows)
+  for (const Window& window : MapWindows)
   {
     const SpherePack pack = PackIn(window, true);
     const auto expected = Map(pack, window, AllPairs, 0.5, 2.5).Values;

@@ -65,7 +65,7 @@ std::array<std::vector<double>, 4> BruteForce(
   return g;
 }
 
-const std::vector<Window> Windows = {
+const std::vector<Window> DistributionWindows = {
   oracle::PeriodicCube(10.0),
   Window::MakeBox({ 0, 0, 0 }, { 10, 10, 10 }, { false, false, false }),
   Window::MakeBox({ 0, 0, 0 }, { 10, 10, 10 }, { true, false, true }),
@@ -81,7 +81,7 @@ SpherePack PackIn(const Window& window)
 
 TEST(RadialDistribution, EqualsBruteForceOverPairs)
 {
-  for (const Window& window : Windows)
+  for (const Window& window : DistributionWindows)
   {
     const SpherePack pack = PackIn(window);
     for (const ruc::LagGrid& lags : { ruc::LagGrid{ 0.31, 20 }, ruc::LagGrid{ 3.0, 1 } })
@@ -106,7 +106,7 @@ TEST(RadialDistribution, EqualsBruteForceOverPairs)
 
 TEST(RadialDistribution, IndependentCentresHaveOne)
 {
-  for (const Window& window : Windows)
+  for (const Window& window : DistributionWindows)
   {
     // Averaged over packs, with the error that their scatter shows: pairs share centres and have
     // weights, so that counting them would not do
@@ -192,7 +192,7 @@ TEST(RadialDistribution, TheSameForAnyRanksAndThreads)
 {
   const ruc::LagGrid lags = { 0.31, 20 };
   const int threads = omp_get_max_threads();
-  for (const Window& window : Windows)
+  for (const Window& window : DistributionWindows)
   {
     const SpherePack pack = PackIn(window);
     const ruc::RadialDistribution expected = Measure(pack, window, lags);
