@@ -100,7 +100,7 @@ void AddCellFields(
   { PackData::AddField(data, name, std::vector<long long>{ value }); };
   const auto number = [&](const char* name, double value)
   { PackData::AddField(data, name, std::vector<double>{ value }); };
-  PackData::AddPackSummary(data, { cell.Box, "Unit cell", all.LengthUnit }, cell.Pack.Size(),
+  PackData::AddPackSummary(data, { cell.Box, "Unit cell", all.LengthUnit, {} }, cell.Pack.Size(),
     cell.Probability.Fractions, cell.Overlap.Percent);
   PackData::AddField(data, "Method", std::string(MethodNames[all.Settings.Method]));
   whole("Seed", SeedOf(found, all.Settings));

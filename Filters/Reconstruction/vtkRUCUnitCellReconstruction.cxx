@@ -24,8 +24,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
+
+#include <sys/stat.h>
 
 vtkStandardNewMacro(vtkRUCUnitCellReconstruction);
 
@@ -188,8 +189,8 @@ ruc::EndReason vtkRUCUnitCellReconstruction::FindStopReason(
   {
     return ruc::EndReason::StopButton;
   }
-  std::error_code ignored;
-  if (!this->StopFile.empty() && std::filesystem::is_regular_file(this->StopFile, ignored))
+  struct stat file;
+  if (!this->StopFile.empty() && stat(this->StopFile.c_str(), &file) == 0 && S_ISREG(file.st_mode))
   {
     return ruc::EndReason::StopFile;
   }

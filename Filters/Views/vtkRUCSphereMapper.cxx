@@ -17,71 +17,75 @@
 
 vtkStandardNewMacro(vtkRUCSphereMapper);
 
+namespace
+{
+// The superclass's shaders differ between versions of VTK, but not in the names of their
+// attributes and uniforms. So the spheres have main functions of their own: the vertex shader
+// computes all, and the geometry shader only passes it on.
+constexpr const char* VertexMain =
+  "uniform float sphereScale;\n"
+  "out vec4 sphereVCVSOutput;\n"
+  "out mat3 triangleVCVSOutput;\n"
+  "out mat3x4 triangleDCVSOutput;\n"
+  "void superclassMain();\n"
+  "void main()\n"
+  "{\n"
+  "  superclassMain();\n"
+  "  vec3 centre = (MCVCMatrix * vertexMC).xyz;\n"
+  "  float radius = sphereScale * radiusMC * length(MCVCMatrix[0].xyz);\n"
+  "  sphereVCVSOutput = vec4(centre, radius);\n"
+  "  vec3 base1 = vec3(1.0, 0.0, 0.0);\n"
+  "  vec3 base2 = vec3(0.0, 1.0, 0.0);\n"
+  "  float reach = radius;\n"
+  "  if (VCDCMatrix[2][3] != 0.0)\n"
+  "  {\n"
+  // A perspective projection: the triangle faces the camera and goes through the centre, where
+  // the cone of sight that touches the sphere is wider than the sphere.
+  "    vec3 toCamera = normalize(-centre);\n"
+  "    base2 = normalize(cross(toCamera, vec3(1.0, 0.0, 0.0)));\n"
+  "    base1 = cross(base2, toCamera);\n"
+  "    float distance2 = dot(centre, centre);\n"
+  "    reach *= sqrt(distance2 / max(distance2 - radius * radius, 0.01 * distance2));\n"
+  "  }\n"
+  // The sides of the triangle touch the circle of radius reach.
+  "  triangleVCVSOutput = mat3(centre - reach * (1.7320508 * base1 + base2),\n"
+  "    centre + reach * (1.7320508 * base1 - base2), centre + 2.0 * reach * base2);\n"
+  "  for (int corner = 0; corner < 3; ++corner)\n"
+  "  {\n"
+  "    triangleDCVSOutput[corner] = VCDCMatrix * vec4(triangleVCVSOutput[corner], 1.0);\n"
+  "  }\n"
+  "}\n"
+  "void superclassMain()";
+
+constexpr const char* GeometryMain = "in vec4 sphereVCVSOutput[];\n"
+                                     "in mat3 triangleVCVSOutput[];\n"
+                                     "in mat3x4 triangleDCVSOutput[];\n"
+                                     "flat out vec4 sphereVCGSOutput;\n"
+                                     "out vec3 pointVCGSOutput;\n"
+                                     "void main()\n"
+                                     "{\n"
+                                     "  int i = 0;\n"
+                                     "  for (int corner = 0; corner < 3; ++corner)\n"
+                                     "  {\n"
+                                     "    //VTK::PrimID::Impl\n"
+                                     "    //VTK::Clip::Impl\n"
+                                     "    //VTK::Color::Impl\n"
+                                     "    //VTK::Picking::Impl\n"
+                                     "    sphereVCGSOutput = sphereVCVSOutput[0];\n"
+                                     "    pointVCGSOutput = triangleVCVSOutput[0][corner];\n"
+                                     "    gl_Position = triangleDCVSOutput[0][corner];\n"
+                                     "    EmitVertex();\n"
+                                     "  }\n"
+                                     "  EndPrimitive();\n"
+                                     "}\n"
+                                     "void superclassMain()";
+}
+
 void vtkRUCSphereMapper::PrepareShaders(vtkShaderProperty* shaders)
 {
   this->SetSphereScale(shaders, 1.0);
-  // The superclass's shaders differ between versions of VTK, but not in the names of their
-  // attributes and uniforms. So the spheres have main functions of their own: the vertex shader
-  // computes all, and the geometry shader only passes it on.
-  shaders->AddVertexShaderReplacement("void main()", true,
-    "uniform float sphereScale;\n"
-    "out vec4 sphereVCVSOutput;\n"
-    "out mat3 triangleVCVSOutput;\n"
-    "out mat3x4 triangleDCVSOutput;\n"
-    "void superclassMain();\n"
-    "void main()\n"
-    "{\n"
-    "  superclassMain();\n"
-    "  vec3 centre = (MCVCMatrix * vertexMC).xyz;\n"
-    "  float radius = sphereScale * radiusMC * length(MCVCMatrix[0].xyz);\n"
-    "  sphereVCVSOutput = vec4(centre, radius);\n"
-    "  vec3 base1 = vec3(1.0, 0.0, 0.0);\n"
-    "  vec3 base2 = vec3(0.0, 1.0, 0.0);\n"
-    "  float reach = radius;\n"
-    "  if (VCDCMatrix[2][3] != 0.0)\n"
-    "  {\n"
-    // A perspective projection: the triangle faces the camera and goes through the centre, where
-    // the cone of sight that touches the sphere is wider than the sphere.
-    "    vec3 toCamera = normalize(-centre);\n"
-    "    base2 = normalize(cross(toCamera, vec3(1.0, 0.0, 0.0)));\n"
-    "    base1 = cross(base2, toCamera);\n"
-    "    float distance2 = dot(centre, centre);\n"
-    "    reach *= sqrt(distance2 / max(distance2 - radius * radius, 0.01 * distance2));\n"
-    "  }\n"
-    // The sides of the triangle touch the circle of radius reach.
-    "  triangleVCVSOutput = mat3(centre - reach * (1.7320508 * base1 + base2),\n"
-    "    centre + reach * (1.7320508 * base1 - base2), centre + 2.0 * reach * base2);\n"
-    "  for (int corner = 0; corner < 3; ++corner)\n"
-    "  {\n"
-    "    triangleDCVSOutput[corner] = VCDCMatrix * vec4(triangleVCVSOutput[corner], 1.0);\n"
-    "  }\n"
-    "}\n"
-    "void superclassMain()",
-    true);
-  shaders->AddGeometryShaderReplacement("void main()", true,
-    "in vec4 sphereVCVSOutput[];\n"
-    "in mat3 triangleVCVSOutput[];\n"
-    "in mat3x4 triangleDCVSOutput[];\n"
-    "flat out vec4 sphereVCGSOutput;\n"
-    "out vec3 pointVCGSOutput;\n"
-    "void main()\n"
-    "{\n"
-    "  int i = 0;\n"
-    "  for (int corner = 0; corner < 3; ++corner)\n"
-    "  {\n"
-    "    //VTK::PrimID::Impl\n"
-    "    //VTK::Clip::Impl\n"
-    "    //VTK::Color::Impl\n"
-    "    //VTK::Picking::Impl\n"
-    "    sphereVCGSOutput = sphereVCVSOutput[0];\n"
-    "    pointVCGSOutput = triangleVCVSOutput[0][corner];\n"
-    "    gl_Position = triangleDCVSOutput[0][corner];\n"
-    "    EmitVertex();\n"
-    "  }\n"
-    "  EndPrimitive();\n"
-    "}\n"
-    "void superclassMain()",
-    true);
+  shaders->AddVertexShaderReplacement("void main()", true, VertexMain, true);
+  shaders->AddGeometryShaderReplacement("void main()", true, GeometryMain, true);
   shaders->AddFragmentShaderReplacement("//VTK::PositionVC::Dec", true,
     "//VTK::PositionVC::Dec\n"
     "flat in vec4 sphereVCVSOutput;\n"

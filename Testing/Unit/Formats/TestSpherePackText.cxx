@@ -103,7 +103,8 @@ TEST(SpherePackText, RadiiOfZeroArePoints)
   EXPECT_EQ(Parse("1,2,3,0\n4,5,6,0.5\n").Pack.Radius, (std::vector<double>{ 0, 0.5 }));
   SpherePackTextSettings settings;
   settings.Scale = 1e-200;
-  EXPECT_SAYS(Parse("1,2,3,0\n4,5,6,1e-200\n", settings), "Line 2: coordinates of at most 1e+50 and");
+  EXPECT_SAYS(
+    Parse("1,2,3,0\n4,5,6,1e-200\n", settings), "Line 2: coordinates of at most 1e+50 and");
 }
 
 TEST(SpherePackText, Settings)

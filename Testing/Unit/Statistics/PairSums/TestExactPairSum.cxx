@@ -6,7 +6,6 @@
 #include "PairSumComparison.h"
 #include "ThreadRanks.h"
 #include "ruc/Particles/SphereOverlap.h"
-#include "ruc/Statistics/PairSums/PairHistogram.h"
 
 #include <omp.h>
 
