@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // libFuzzer target of one grammar, RUC_GRAMMAR: any bytes, packed by gzip or not, are read frame by
-// frame and made packs, or refused with std::invalid_argument. The first byte is the settings; what
-// follows a form feed is also the text of the file beside it.
+// frame and made packs, or refused with std::invalid_argument. The first byte is the settings. One
+// of them says that what follows the last form feed is the text of a file beside it.
 #include "ruc/Formats/FramePack.h"
 #include "ruc/Formats/Grammars/Grammars.h"
 #include "ruc/Formats/GzipBytes.h"
@@ -45,16 +45,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   const std::uint8_t choice = data[0];
-  const std::string_view content(reinterpret_cast<const char*>(data) + 1, size - 1);
+  std::string_view content(reinterpret_cast<const char*>(data) + 1, size - 1);
+  std::string beside;
+  const std::size_t mark = content.rfind('\f');
+  if (choice & 128 && mark != content.npos)
+  {
+    beside = content.substr(mark + 1);
+    content = content.substr(0, mark);
+  }
   ruc::ReadSettings settings;
   settings.SkipLines = choice & 1;
   settings.Columns = choice & 2 ? "id,x,y,z,r" : "";
   settings.RadiusColumn = choice & 4 ? "4" : "";
-  settings.Beside = [content](const std::string&)
-  {
-    const std::size_t mark = content.find('\f');
-    return std::string(mark == content.npos ? std::string_view() : content.substr(mark + 1));
-  };
+  settings.Beside = [beside](const std::string&) { return beside; };
   ruc::PackSettings packSettings;
   packSettings.UniformRadius = choice & 8 ? 0.5 : 0.0;
   packSettings.RadiusByType = choice & 16 ? "1=0.3;2=0.42;A=0.6" : "";

@@ -108,21 +108,29 @@ void Keep(PackFrame& frame, const std::vector<std::size_t>& order)
   Keep(frame.Mode, order);
 }
 
-// Copies beyond the faces of a periodic box, which some programs write along
-std::size_t LeaveOutGhosts(PackFrame& frame, const Window& box)
+// Whether the search for copies is due: a centre is beyond a face of an axis that is periodic, and
+// none is so far away that it is refused, nor is a sphere as wide as the box
+bool MayHaveGhosts(const PackFrame& frame, const Window& box)
 {
-  bool outside = false;
-  for (std::size_t i = 0; i < frame.Size() && !outside; ++i)
+  const double largest = *std::max_element(frame.Radius.begin(), frame.Radius.end());
+  bool outside = false, near = FindNarrowEdge(largest, box).empty();
+  for (std::size_t i = 0; i < frame.Size() && near; ++i)
   {
     const Vector3 centre = { frame.X[i], frame.Y[i], frame.Z[i] };
     for (int q = 0; q < 3; ++q)
     {
-      outside = outside ||
-        (box.Periodic[q] &&
-          !(centre[q] >= box.Origin[q] && centre[q] < box.Origin[q] + box.Size[q]));
+      const double edges = (centre[q] - box.Origin[q]) / box.Size[q];
+      near = near && std::abs(edges) <= 1e9;
+      outside = outside || (box.Periodic[q] && !(edges >= 0.0 && edges < 1.0));
     }
   }
-  if (!outside)
+  return outside && near;
+}
+
+// Copies beyond the faces of a periodic box, which some programs write along
+std::size_t LeaveOutGhosts(PackFrame& frame, const Window& box)
+{
+  if (!MayHaveGhosts(frame, box))
   {
     return 0;
   }

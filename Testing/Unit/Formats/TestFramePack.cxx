@@ -143,6 +143,17 @@ TEST(FramePack, Refusals)
   EXPECT_EQ(ruc::MakePack(periodic, {}).Ghosts, 1u);
 }
 
+TEST(FramePack, SpheresWiderThanTheBoxAreNotSearchedForCopies)
+{
+  PackFrame frame = Spheres({ 1, 12, 3 }, Doubles(3, 1e23));
+  frame.Box = FrameBox{ { 0, 0, 0 }, { 10, 10, 10 }, {}, { true, true, true }, true };
+  const FramePack pack = ruc::MakePack(frame, {});
+  EXPECT_EQ(pack.Ghosts, 0u);
+  EXPECT_EQ(pack.Pack.X, (Doubles{ 1, 2, 3 }));
+  frame.X[1] = 1e22;
+  EXPECT_SAYS(ruc::MakePack(frame, {}), "at most 10^9 edges away");
+}
+
 TEST(FramePack, RadiiOfSettings)
 {
   PackFrame frame = Spheres({ 1, 2, 3 }, {});

@@ -274,6 +274,28 @@ TEST(SamePackDetails, Tables)
   ExpectTruth(nameless.Pack(), { "", "table", 1, 1e-12, None, true });
 }
 
+// Whatever format the user says a file has: it is read or refused, and nothing else
+TEST(ForcedFormats, ReadOrRefuse)
+{
+  for (const ruc::PackFormat* format : ruc::PackFormats())
+  {
+    for (const Sample& sample : Samples)
+    {
+      SCOPED_TRACE(std::string(format->Name) + " of " + sample.File);
+      const std::string text = formats::TextOf(DataFile(std::string("same_pack/") + sample.File));
+      ruc::MemoryBytes bytes(text);
+      const auto frames = format->Scan(bytes);
+      ASSERT_FALSE(frames.empty());
+      const auto read = [&]() { ruc::MakePack(ruc::ReadFrame(*format, bytes, frames, 0, {}), {}); };
+      EXPECT_NE(oracle::MessageOf(read), "<another exception>");
+      if (format->Name == std::string(sample.Format))
+      {
+        EXPECT_EQ(format->Recognise(text.substr(0, 4096)), text.substr(0, 2) != "\x1f\x8b");
+      }
+    }
+  }
+}
+
 TEST(BadFiles, AreRefusedForTheirReason)
 {
   const std::pair<const char*, const char*> files[] = {

@@ -6,18 +6,27 @@
 #include "ruc/Formats/Fields.h"
 #include "ruc/Formats/Grammars/Grammars.h"
 
+#include <stdexcept>
+
 namespace ruc
 {
 namespace
 {
 constexpr std::string_view Sign = "#format ";
 
+bool Recognise(std::string_view begin)
+{
+  return begin.substr(0, Sign.size()) == Sign;
+}
+
 PackFrame Read(ByteStream& bytes, const FramePlace& place, const ReadSettings& settings)
 {
   const std::string begin = ReadBytes(bytes, 0, 4096);
-  const auto lines = FirstLines(begin, 1);
-  const std::string_view format =
-    lines.empty() ? std::string_view() : TrimBlanks(lines[0].substr(Sign.size()));
+  if (!Recognise(begin))
+  {
+    throw std::invalid_argument("Line 1: '#format …' is required, got something else.");
+  }
+  const std::string_view format = TrimBlanks(FirstLines(begin, 1)[0].substr(Sign.size()));
   ReadSettings named = settings;
   if (named.Columns.empty() && format.find("attrs") == format.npos)
   {
@@ -27,11 +36,6 @@ PackFrame Read(ByteStream& bytes, const FramePlace& place, const ReadSettings& s
     }
   }
   return Table.Read(bytes, place, named);
-}
-
-bool Recognise(std::string_view begin)
-{
-  return begin.substr(0, Sign.size()) == Sign;
 }
 }
 
