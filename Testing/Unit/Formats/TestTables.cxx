@@ -205,7 +205,7 @@ TEST(Tables, BadRows)
 TEST(Tables, NotText)
 {
   EXPECT_SAYS(
-    Parse(std::string("\xFF\xFEx\0,\0y\0\n\0", 12)), "got UTF-16: save the table as UTF-8");
+    Parse(std::string("\xFF\xFEx\0,\0y\0\n\0", 10)), "got UTF-16: save the table as UTF-8");
   EXPECT_SAYS(Parse("x [\xB5m],y,z,r\n1,2,3,4\n"),
     "Line 1: UTF-8 text is required, got the byte 181 at place 4, as in Latin-1");
   EXPECT_SAYS(Parse("1,2,3,1\n1,2,3,\xC0\x80\n"), "Line 2: UTF-8");
