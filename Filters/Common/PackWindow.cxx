@@ -185,6 +185,12 @@ PackOrigin FindOrigin(vtkPointSet* input, const WindowProperties& properties,
   {
     origin.Observed = windows.front();
     origin.WindowSource = "Input";
+    if (properties.HasAny() && !(WindowOfProperties(properties) == origin.Observed))
+    {
+      origin.Warnings.push_back(
+        Text("the window of the properties is not used, since the pack has one of its own, the ",
+          origin.Observed.Describe(), ". To take another, read the pack without a window."));
+    }
   }
   else if (properties.HasAny())
   {

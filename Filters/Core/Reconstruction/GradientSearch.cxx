@@ -151,18 +151,25 @@ private:
   // overlap is kept only while there is none without.
   void Keep(const std::vector<double>& centres)
   {
+    // A search that is to stop still gets the few steps in which most cells are freed, unless it
+    // has none yet
+    constexpr int MostQuestions = 50;
+    int questions = this->Best.Pack.Empty() ? MostQuestions : 0;
     const SearchState state = { SearchPhase::RemovingOverlap,
       static_cast<int>(this->State.Convergence.size()), this->Terms.TwoPoint, this->Overlap() };
     UnitCell cell = FinishUnitCell(this->Contents.MakePack(centres.data()), this->Best.Box,
       this->Target, this->Settings.Seed, this->Ranks,
       [&]()
       {
-        this->Ask(state);
-        std::int64_t wish = this->Wish;
-        this->Ranks.Sum(&wish, 1);
-        this->Wish = 0;
-        this->Stopped = this->Stopped || wish > 0;
-        return !this->Stopped;
+        if (!this->Stopped)
+        {
+          this->Ask(state);
+          std::int64_t wish = this->Wish;
+          this->Ranks.Sum(&wish, 1);
+          this->Wish = 0;
+          this->Stopped = wish > 0;
+        }
+        return !this->Stopped || ++questions < MostQuestions;
       });
     const bool first = this->Best.Pack.Empty();
     const bool freer = cell.Overlap.IsNone() && !this->Best.Overlap.IsNone();

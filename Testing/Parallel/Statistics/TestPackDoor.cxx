@@ -178,6 +178,22 @@ TEST(PackDoor, AMissingWindowIsTold)
     });
 }
 
+TEST(PackDoor, AWindowOfThePropertiesBesideThatOfThePackIsTold)
+{
+  using Filter = vtkRUCTwoPointProbability;
+  const auto warnings = [](double edge)
+  {
+    return WarningsOf<Filter>(DataOf(FewSizes()),
+      [=](Filter* f)
+      {
+        f->SetBoxSize(edge, edge, edge);
+        f->SetBoxPeriodic(1, 1, 1);
+      });
+  };
+  ExpectOne(warnings(0.5 * Edge), { "the window of the properties is not used", "12 x 12 x 12" });
+  EXPECT_TRUE(warnings(Edge).empty());
+}
+
 TEST(PackDoor, CentresOutsideAPeriodicBoxMakeNoDifference)
 {
   // The numbers have few digits, so that whole edges are added and taken off without rounding

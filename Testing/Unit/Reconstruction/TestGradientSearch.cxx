@@ -165,6 +165,10 @@ TEST(GradientSearch, StopsWhenItIsTold)
     {
       EXPECT_TRUE(cell.Overlap.IsNone());
     }
+    if (stopAt == 30) // what the descent has found is freed from overlap and kept
+    {
+      EXPECT_LT(cell.Objective, cell.StartObjective);
+    }
   }
 }
 
