@@ -47,6 +47,17 @@ std::string CheckpointFile::Read(RankCommunicator& ranks) const
         this->Name, "': ", error);
     }
   }
+  else if (this->IsWanted() && ranks.Rank() == 0)
+  {
+    // Told before a search that could not be kept
+    const std::size_t slash = this->Name.rfind('/');
+    const std::string folder = slash == std::string::npos ? "." : this->Name.substr(0, slash + 1);
+    if (access(folder.c_str(), F_OK) != 0)
+    {
+      error = ruc::Text("CheckpointFile requires a name in a folder that is there, got '",
+        this->Name, "': ", std::strerror(errno), ".");
+    }
+  }
   ranks.ThrowIfAny(error);
   ranks.Broadcast(bytes, 0);
   return bytes;

@@ -150,6 +150,8 @@ def test_refused():
         require(result is None, what + ' is refused')
         require('ERR' in output and reason in output, f'{what} is refused with a reason, got {output}')
         require(content(name) == data, what + ' is left as it is')
+    output, result = run(dict(settings, CheckpointFile=os.path.join(FOLDER, 'nowhere', 'state')), 2)
+    require(result is None and 'a folder that is there' in output, f'a name in no folder is refused before the search, got {output[-300:]}')
     print('refused what is no checkpoint', flush=True)
 
 

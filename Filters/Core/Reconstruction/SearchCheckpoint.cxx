@@ -105,7 +105,8 @@ State Read(std::string_view bytes, const SearchKey& key, SearchStops* stops)
   {
     if (place != expected)
     {
-      throw std::invalid_argument(Text("The checkpoint is of another search: its ", what, "."));
+      throw std::invalid_argument(Text("The checkpoint is of another search: its ", what,
+        ". To begin anew, remove the file or name another one."));
     }
   };
   require(found.Method, key.Method, "method differs");
