@@ -44,6 +44,7 @@ def piece(spheres, edge=box, ghosts=None):
 
 
 def write(writer, name, data):
+    writer.SetDataModeToBinary()  # ParaView 5.11 does not read appended data with newer expat libraries
     writer.SetInputData(data)
     writer.SetFileName(os.path.join(folder, name))
     assert writer.Write()
