@@ -226,7 +226,8 @@ def outcome(proxy):
             attributes = information.GetAttributeInformation(kind)
             for i in range(attributes.GetNumberOfArrays() if attributes else 0):
                 array = attributes.GetArrayInformation(i)
-                arrays[array.GetName()] = [array.GetComponentRange(c) for c in range(min(9, array.GetNumberOfComponents()))]
+                if array.GetName() != 'EstimatedMemory':  # which is that of one rank
+                    arrays[array.GetName()] = [array.GetComponentRange(c) for c in range(min(9, array.GetNumberOfComponents()))]
         # Points where the pieces of an image meet count twice
         size = information.GetNumberOfCells() if information.GetDataSetTypeAsString() == 'vtkImageData' else information.GetNumberOfPoints()
         found[port] = [size + information.GetNumberOfRows(), arrays]
