@@ -56,6 +56,34 @@ std::string_view TrimBlanks(std::string_view text)
   return text;
 }
 
+std::size_t FindBadByte(std::string_view text)
+{
+  for (std::size_t i = 0; i < text.size();)
+  {
+    const auto c = static_cast<unsigned char>(text[i]);
+    if (c != 0 && c < 0x80)
+    {
+      ++i;
+      continue;
+    }
+    const std::size_t length = c >= 0xC2 && c < 0xE0 ? 2
+      : c >= 0xE0 && c < 0xF0                        ? 3
+      : c >= 0xF0 && c < 0xF5                        ? 4
+                                                     : 0;
+    bool good = length > 0 && i + length <= text.size();
+    for (std::size_t k = 1; good && k < length; ++k)
+    {
+      good = (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
+    }
+    if (!good)
+    {
+      return i;
+    }
+    i += length;
+  }
+  return std::string_view::npos;
+}
+
 std::vector<std::string_view> FirstLines(std::string_view begin, std::size_t most)
 {
   std::vector<std::string_view> lines;

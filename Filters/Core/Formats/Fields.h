@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -17,6 +18,9 @@ void SplitBlanks(std::string_view line, Fields& fields);
 
 /** Returns a text without the blanks, tabs and carriage returns around it. */
 std::string_view TrimBlanks(std::string_view text);
+
+/** Returns the place of the first byte that is null or not UTF-8, or npos. */
+std::size_t FindBadByte(std::string_view text);
 
 /**
  * Returns the first lines of the beginning of a file, without their ends; at most `most` of them.

@@ -5,9 +5,9 @@
 #include "ruc/Base/ParseDouble.h"
 #include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
+#include "ruc/Formats/Fields.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -22,45 +22,6 @@ constexpr std::size_t LongestLine = 65536;
 [[noreturn]] void Fail(std::size_t line, const std::string& what)
 {
   throw std::invalid_argument(Text("Line ", line, ": ", what));
-}
-
-// The place of the first byte that is not UTF-8, or of a null byte; npos where there is none
-std::size_t FindBadByte(std::string_view text)
-{
-  for (std::size_t i = 0; i < text.size();)
-  {
-    const unsigned char c = static_cast<unsigned char>(text[i]);
-    const std::size_t length = c < 0x80 ? 1
-      : c >= 0xC2 && c < 0xE0           ? 2
-      : c >= 0xE0 && c < 0xF0           ? 3
-      : c >= 0xF0 && c < 0xF5           ? 4
-                                        : 0;
-    bool good = length > 0 && i + length <= text.size() && c != 0;
-    for (std::size_t k = 1; good && k < length; ++k)
-    {
-      good = (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
-    }
-    if (!good)
-    {
-      return i;
-    }
-    i += length;
-  }
-  return std::string_view::npos;
-}
-
-std::string_view TrimBlanks(std::string_view field)
-{
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!field.empty() && blank(field.front()))
-  {
-    field.remove_prefix(1);
-  }
-  while (!field.empty() && blank(field.back()))
-  {
-    field.remove_suffix(1);
-  }
-  return field;
 }
 
 std::string_view TrimField(std::string_view field)
@@ -111,27 +72,14 @@ void Split(std::string_view line, char separator, std::vector<std::string_view>&
   }
 }
 
-bool ParseNumber(std::string_view field, double& value)
+// Unlike ParseNumber it takes no exponent D
+bool ReadNumber(std::string_view field, double& value)
 {
   if (field.size() > 1 && field.front() == '+')
   {
     field.remove_prefix(1);
   }
   return ParseDouble(field, value); // infinity, also for what is beyond its range, is refused later
-}
-
-std::string Quote(std::string_view field)
-{
-  constexpr std::size_t most = 40;
-  return "'" + std::string(field.substr(0, most)) + (field.size() > most ? "…'" : "'");
-}
-
-std::string Lower(std::string_view name)
-{
-  std::string lower(name);
-  std::transform(
-    lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-  return lower;
 }
 
 struct Columns
@@ -202,7 +150,7 @@ void FindNamedColumns(std::size_t line, Columns& columns)
 void FindGivenRadius(std::size_t line, const std::string& given, Columns& columns)
 {
   double number = 0.0;
-  if (ParseNumber(given, number) && number == std::floor(number))
+  if (ReadNumber(given, number) && number == std::floor(number))
   {
     if (!(number >= 1.0 && number <= columns.Count))
     {
@@ -270,7 +218,7 @@ double Number(
   std::size_t line, const std::vector<std::string_view>& fields, const Columns& columns, int column)
 {
   double value = 0.0;
-  if (!ParseNumber(fields[column], value))
+  if (!ReadNumber(fields[column], value))
   {
     Fail(line, Text(columns.Name(column), " requires a number, got ", Quote(fields[column]), "."));
   }
@@ -290,7 +238,7 @@ void AppendWhole(std::size_t line, const std::vector<std::string_view>& fields, 
   std::vector<std::string>& leftOut)
 {
   double value = 0.0;
-  if (ParseNumber(fields[column], value) && value == std::floor(value) && std::abs(value) <= most)
+  if (ReadNumber(fields[column], value) && value == std::floor(value) && std::abs(value) <= most)
   {
     values.push_back(static_cast<Value>(value));
     return;
@@ -324,7 +272,7 @@ bool IsHeader(const std::vector<std::string_view>& fields)
 {
   double ignored;
   return std::any_of(
-    fields.begin(), fields.end(), [&](auto field) { return !ParseNumber(field, ignored); });
+    fields.begin(), fields.end(), [&](auto field) { return !ReadNumber(field, ignored); });
 }
 
 // Appends the sphere of a row

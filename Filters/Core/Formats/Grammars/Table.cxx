@@ -22,35 +22,6 @@ namespace
 {
 constexpr char Whitespace = ' '; // as a separator: any run of blanks and tabs
 
-// The place of the first byte that is not UTF-8, or npos
-std::size_t FindBadByte(std::string_view text)
-{
-  for (std::size_t i = 0; i < text.size();)
-  {
-    const auto c = static_cast<unsigned char>(text[i]);
-    if (c != 0 && c < 0x80)
-    {
-      ++i;
-      continue;
-    }
-    const std::size_t length = c >= 0xC2 && c < 0xE0 ? 2
-      : c >= 0xE0 && c < 0xF0                        ? 3
-      : c >= 0xF0 && c < 0xF5                        ? 4
-                                                     : 0;
-    bool good = length > 0 && i + length <= text.size();
-    for (std::size_t k = 1; good && k < length; ++k)
-    {
-      good = (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
-    }
-    if (!good)
-    {
-      return i;
-    }
-    i += length;
-  }
-  return std::string_view::npos;
-}
-
 // What stands behind the mark of a comment
 bool IsComment(std::string_view line, std::string_view& comment)
 {
