@@ -52,9 +52,9 @@ std::string MessageOf(Function&& function)
 #define EXPECT_SAYS(call, part)                                                                    \
   do                                                                                               \
   {                                                                                                \
-    const std::string message = oracle::MessageOf([&]() { call; });                                \
-    EXPECT_NE(message.find(part), std::string::npos)                                               \
-      << "message: " << message << "\nwanted: " << (part);                                         \
+    const std::string said_by_call = oracle::MessageOf([&]() { call; });                           \
+    EXPECT_NE(said_by_call.find(part), std::string::npos)                                          \
+      << "message: " << said_by_call << "\nwanted: " << (part);                                    \
   } while (false)
 
 /** Uniform random numbers. */
