@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // two_point PACK.csv X Y Z: S_mm of a pack in a box of these edges that begins at the origin, at 20
 // lags up to 200
-#include <ruc/Formats/SpherePackText.h>
+#include <ruc/Formats/PackFormats.h>
 #include <ruc/Statistics/PairSums/ExactPairSum.h>
 
 #include <cstdio>
@@ -19,7 +19,7 @@ int main(int argc, char* argv[])
   }
   std::ifstream file(argv[1]);
   const std::string text(std::istreambuf_iterator<char>(file), {});
-  ruc::SpherePack pack = ruc::ParseSpherePack(text, {}).Pack;
+  ruc::SpherePack pack = ruc::ReadPack(text).Pack;
   pack.Mode.assign(pack.Size(), 1);
   const ruc::Vector3 edges{ std::atof(argv[2]), std::atof(argv[3]), std::atof(argv[4]) };
   const ruc::Window window = ruc::Window::MakeBox({ 0, 0, 0 }, edges, { false, false, false });

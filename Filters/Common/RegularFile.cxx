@@ -49,6 +49,15 @@ public:
 
   double Size() const { return static_cast<double>(this->Status.st_size); }
 
+  void Seek(std::uint64_t offset) const
+  {
+    if (lseek(this->Number, static_cast<off_t>(offset), SEEK_SET) < 0)
+    {
+      Fail(
+        Text("a file in which places can be sought is required, got: ", std::strerror(errno), "."));
+    }
+  }
+
   // Reads at most `count` bytes and returns how many; 0 at the end of the file
   std::size_t Read(char* bytes, std::size_t count) const
   {
@@ -72,20 +81,61 @@ private:
   };
 };
 
-double MostBytes()
-{
-  return 0.25 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-    static_cast<double>(sysconf(_SC_PAGE_SIZE));
-}
-
 void RequireRoom(double bytes)
 {
-  if (bytes > MostBytes())
+  const auto most = static_cast<double>(RegularFile::MostBytes());
+  if (bytes > most)
   {
-    Fail(Text("a file of at most ", MostBytes() / 1e6,
+    Fail(Text("a file of at most ", most / 1e6,
       " MB is required, a quarter of this machine's memory, got ", bytes / 1e6, " MB."));
   }
 }
+
+class FileStream : public ruc::ByteStream
+{
+public:
+  explicit FileStream(const std::string& name)
+    : File(name)
+  {
+  }
+  std::size_t Read(char* buffer, std::size_t size) override
+  {
+    std::size_t done = 0;
+    while (const std::size_t got = done < size ? this->File.Read(buffer + done, size - done) : 0)
+    {
+      done += got;
+    }
+    return done;
+  }
+  void Seek(std::uint64_t offset) override { this->File.Seek(offset); }
+  std::uint64_t MostBytes() const override { return static_cast<std::uint64_t>(this->File.Size()); }
+
+private:
+  OpenFile File;
+};
+}
+
+std::uint64_t RegularFile::MostBytes()
+{
+  return static_cast<std::uint64_t>(0.25 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+    static_cast<double>(sysconf(_SC_PAGE_SIZE)));
+}
+
+RegularFile::Stamp RegularFile::FindStamp(const std::string& name)
+{
+  struct stat status;
+  if (stat(name.c_str(), &status) != 0)
+  {
+    return {};
+  }
+  return { static_cast<std::int64_t>(status.st_dev), static_cast<std::int64_t>(status.st_ino),
+    static_cast<std::int64_t>(status.st_size), static_cast<std::int64_t>(status.st_mtim.tv_sec),
+    static_cast<std::int64_t>(status.st_mtim.tv_nsec) };
+}
+
+std::unique_ptr<ruc::ByteStream> RegularFile::Open(const std::string& name)
+{
+  return std::make_unique<FileStream>(name);
 }
 
 bool RegularFile::IsReadable(const std::string& name)

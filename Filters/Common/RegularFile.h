@@ -3,10 +3,14 @@
 #pragma once
 
 #include "RUCCommonModule.h"
+#include "ruc/Formats/ByteStream.h"
 
+#include <array>
+#include <cstdint>
+#include <memory>
 #include <string>
 
-/** Reads whole files. No function waits for another process, as opening a pipe would. */
+/** Reads files. No function waits for another process, as opening a pipe would. */
 namespace RegularFile RUCCOMMON_EXPORT
 {
 /**
@@ -25,4 +29,19 @@ bool IsReadable(const std::string& name);
  * is looked at before anything is allocated.
  */
 std::string Read(const std::string& name);
+
+/** Returns the number of bytes up to which Read takes a file. */
+std::uint64_t MostBytes();
+
+/** What tells whether a file is still the same: device, number, bytes, and date of its change. */
+using Stamp = std::array<std::int64_t, 5>;
+
+/** Returns the stamp of a file, or zeros if there is no such file. */
+Stamp FindStamp(const std::string& name);
+
+/**
+ * Opens a regular file of any size, whose bytes are then read as they are asked for. Throws as Read
+ * does but for the size.
+ */
+std::unique_ptr<ruc::ByteStream> Open(const std::string& name);
 }

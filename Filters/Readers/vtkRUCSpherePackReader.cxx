@@ -3,42 +3,137 @@
 #include "vtkRUCSpherePackReader.h"
 
 #include "PackData.h"
-#include "RegularFile.h"
+#include "PackFiles.h"
+#include "RankCommunicator.h"
 #include "ruc/Base/Text.h"
-#include "ruc/Formats/SpherePackText.h"
+#include "ruc/Formats/GzipBytes.h"
 #include "ruc/Particles/PackOverview.h"
-#include "ruc/Particles/PeriodicReplicas.h"
 
+#include "vtkDataObject.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationExecutivePortKey.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkLogger.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 
+#include <algorithm>
 #include <exception>
+#include <limits>
 #include <optional>
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkRUCSpherePackReader);
+vtkCxxSetObjectMacro(vtkRUCSpherePackReader, Controller, vtkMultiProcessController);
 
 vtkRUCSpherePackReader::vtkRUCSpherePackReader()
+  : Files(std::make_unique<PackFiles>())
 {
   this->SetNumberOfInputPorts(0);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkRUCSpherePackReader::~vtkRUCSpherePackReader()
+{
+  this->SetController(nullptr);
 }
 
 int vtkRUCSpherePackReader::CanReadFile(const char* fileName)
 {
-  return fileName && RegularFile::IsReadable(fileName) ? 1 : 0;
+  try
+  {
+    return fileName && ruc::FindFormat(*ruc::Unpack(RegularFile::Open(fileName))) ? 1 : 0;
+  }
+  catch (const std::exception&)
+  {
+    return 0;
+  }
+}
+
+ruc::ReadSettings vtkRUCSpherePackReader::GetReadSettings() const
+{
+  ruc::ReadSettings settings;
+  settings.Columns = this->Columns;
+  settings.RadiusColumn = this->RadiusColumn;
+  settings.RadiusIsDiameter = this->RadiusIsDiameter;
+  settings.SkipLines = this->SkipLines;
+  return settings;
+}
+
+ruc::PackSettings vtkRUCSpherePackReader::GetPackSettings() const
+{
+  ruc::PackSettings settings;
+  settings.Scale = this->Scale;
+  settings.UniformRadius = this->UniformRadius;
+  settings.RadiusByType = this->RadiusByType;
+  const std::array<bool, 3> periodic = { this->BoxPeriodic[0] != 0, this->BoxPeriodic[1] != 0,
+    this->BoxPeriodic[2] != 0 };
+  if (this->BoxSize[0] != 0.0 || this->BoxSize[1] != 0.0 || this->BoxSize[2] != 0.0)
+  {
+    settings.Observed =
+      ruc::Window::MakeBox({ this->BoxOrigin[0], this->BoxOrigin[1], this->BoxOrigin[2] },
+        { this->BoxSize[0], this->BoxSize[1], this->BoxSize[2] }, periodic);
+  }
+  else if (periodic != std::array<bool, 3>{})
+  {
+    settings.Periodic = periodic;
+  }
+  return settings;
+}
+
+int vtkRUCSpherePackReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* info = outputs->GetInformationObject(0);
+  // vtkFileSeriesReader also asks when it changes files before data are made, with information that
+  // it throws away, and only on ranks that need data
+  if (!vtkExecutive::PRODUCER()->Has(info))
+  {
+    return 1;
+  }
+  RankCommunicator ranks(this->Controller);
+  std::vector<double> times;
+  if (ranks.Rank() == 0)
+  {
+    try
+    {
+      times = this->Files->Find(this->FileName, this->Format, this->GetReadSettings()).Times();
+    }
+    catch (const std::exception&) // RequestData tells of it
+    {
+    }
+  }
+  ranks.Broadcast(times, 0);
+  info->Remove(Pipeline::TIME_STEPS());
+  info->Remove(Pipeline::TIME_RANGE());
+  if (!times.empty())
+  {
+    const double range[2] = { times.front(), times.back() };
+    info->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    info->Set(Pipeline::TIME_RANGE(), range, 2);
+  }
+  return 1;
 }
 
 int vtkRUCSpherePackReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkPolyData* output = vtkPolyData::GetData(outputs);
+  vtkInformation* info = outputs->GetInformationObject(0);
   output->Initialize();
   this->Summary.clear();
   try
   {
-    this->Read(output);
+    this->Read(info->Has(Pipeline::UPDATE_TIME_STEP()) ? info->Get(Pipeline::UPDATE_TIME_STEP())
+                                                       : std::numeric_limits<double>::lowest(),
+      output);
   }
   catch (const std::exception& e) // also where there is not enough memory
   {
@@ -53,82 +148,101 @@ int vtkRUCSpherePackReader::RequestData(
   return 1;
 }
 
-void vtkRUCSpherePackReader::Read(vtkPolyData* output)
+void vtkRUCSpherePackReader::Read(double time, vtkPolyData* output)
 {
-  const std::string text = RegularFile::Read(this->FileName);
-  ruc::SpherePackTextSettings settings;
-  settings.SkipLines = this->SkipLines;
-  settings.RadiusColumn = this->RadiusColumn;
-  settings.RadiusIsDiameter = this->RadiusIsDiameter;
-  settings.Scale = this->Scale;
-  ruc::SpherePackText spheres = ruc::ParseSpherePack(text, settings);
-  for (const std::string& column : spheres.LeftOut)
+  const ruc::ReadSettings settings = this->GetReadSettings();
+  const PackFile& file = this->Files->Find(this->FileName, this->Format, settings);
+  const std::size_t n = file.FrameAt(time);
+  const ruc::FramePack read =
+    ruc::MakePack(this->Files->Read(this->FileName, n, settings), this->GetPackSettings());
+  for (const std::string& warning : read.Warnings)
   {
-    vtkWarningMacro(<< column);
+    vtkWarningMacro(<< warning);
   }
-  std::optional<ruc::Window> window;
-  if (this->BoxSize[0] != 0.0 || this->BoxSize[1] != 0.0 || this->BoxSize[2] != 0.0)
+  this->FillOutput(read, output);
+  const std::vector<double> times = file.Times();
+  if (!times.empty())
   {
-    window = ruc::Window::MakeBox({ this->BoxOrigin[0], this->BoxOrigin[1], this->BoxOrigin[2] },
-      { this->BoxSize[0], this->BoxSize[1], this->BoxSize[2] },
-      { this->BoxPeriodic[0] != 0, this->BoxPeriodic[1] != 0, this->BoxPeriodic[2] != 0 });
-    this->PutIntoBox(spheres, *window, output);
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), times[n]);
   }
-  const ruc::PackOverview overview(spheres.Pack, window, "Box Size", this->LengthUnit);
-  this->Summary = overview.Text;
+  this->Describe(read,
+    file.Frames.size() > 1
+      ? ruc::Text(", frame ", n + 1, " of ", file.Frames.size(), " at time ", times[n])
+      : "");
+}
+
+void vtkRUCSpherePackReader::FillOutput(const ruc::FramePack& read, vtkPolyData* output)
+{
+  PackData::FillPolyData(read.Pack, output);
+  if (!read.Type.empty())
+  {
+    vtkNew<vtkIntArray> type;
+    type->SetName("Type");
+    type->SetNumberOfValues(static_cast<vtkIdType>(read.Type.size()));
+    std::copy(read.Type.begin(), read.Type.end(), type->GetPointer(0));
+    output->GetPointData()->AddArray(type);
+  }
+  if (!read.TypeNames.empty())
+  {
+    vtkNew<vtkStringArray> names;
+    names->SetName("TypeNames");
+    for (const std::string& name : read.TypeNames)
+    {
+      names->InsertNextValue(name);
+    }
+    output->GetFieldData()->AddArray(names);
+  }
+  if (read.BoxIsWindow)
+  {
+    PackData::AddWindow(output, *read.Box);
+  }
+  if (read.Box)
+  {
+    PackData::AddField(
+      output, "NumberOfGhosts", std::vector<long long>{ static_cast<long long>(read.Ghosts) });
+  }
+  if (read.Time)
+  {
+    PackData::AddField(output, "TimeValue", std::vector<double>{ *read.Time });
+  }
+  PackData::AddField(output, "LengthUnit", this->UnitOf(read));
+}
+
+std::string vtkRUCSpherePackReader::UnitOf(const ruc::FramePack& read) const
+{
+  return !this->LengthUnit.empty() ? this->LengthUnit
+    : this->Scale == 1.0           ? read.LengthUnit
+                                   : std::string();
+}
+
+void vtkRUCSpherePackReader::Describe(const ruc::FramePack& read, const std::string& place)
+{
+  const bool given = this->GetPackSettings().Observed.has_value();
+  const ruc::PackOverview overview(read.Pack, read.BoxIsWindow ? read.Box : std::nullopt,
+    given ? "Box Size" : "the file", this->UnitOf(read));
+  this->Summary = ruc::Text(read.Format, place, ": ", overview.Text);
+  if (read.Box && !read.BoxIsWindow)
+  {
+    this->Summary +=
+      " The " + read.Box->Describe() + " of the file is not periodic along all axes.";
+  }
   vtkLog(INFO, << this->GetObjectDescription() << ": " << this->Summary);
   for (const std::string& warning : overview.Warnings)
   {
     vtkWarningMacro(<< warning);
   }
-  PackData::FillPolyData(spheres.Pack, output);
-  PackData::AddField(output, "LengthUnit", this->LengthUnit);
-}
-
-void vtkRUCSpherePackReader::PutIntoBox(
-  ruc::SpherePackText& spheres, const ruc::Window& window, vtkPolyData* output)
-{
-  const std::vector<bool> copies = ruc::FindPeriodicCopies(spheres.Pack, window);
-  ruc::SpherePackText once;
-  for (std::size_t i = 0; i < copies.size(); ++i)
-  {
-    if (!copies[i])
-    {
-      once.Append(spheres, i);
-    }
-  }
-  const std::size_t ghosts = copies.size() - once.Pack.Size();
-  if (ghosts > 0)
-  {
-    vtkWarningMacro(
-      "left " << ghosts << " of " << copies.size() << " rows out as periodic copies of others.");
-  }
-  if (const std::int64_t moved = ruc::MoveIntoBox(once.Pack, window); moved > 0)
-  {
-    vtkWarningMacro(<< moved << " of " << once.Pack.Size() << " centres lay outside the "
-                    << window.Describe() << " and were moved into it by whole edges.");
-  }
-  for (std::size_t i = 0; i < once.Pack.Size(); ++i)
-  {
-    if (!window.Contains(once.Pack.Centre(i)))
-    {
-      throw std::invalid_argument(ruc::Text("Line ", once.Line[i],
-        ": BoxOrigin and BoxSize require every centre inside the box, got (", once.Pack.X[i], ", ",
-        once.Pack.Y[i], ", ", once.Pack.Z[i], ") outside the ", window.Describe(), "."));
-    }
-  }
-  spheres = std::move(once);
-  PackData::AddWindow(output, window);
-  PackData::AddField(
-    output, "NumberOfGhosts", std::vector<long long>{ static_cast<long long>(ghosts) });
 }
 
 void vtkRUCSpherePackReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "Format: " << this->Format << "\n";
+  os << indent << "Columns: " << this->Columns << "\n";
   os << indent << "RadiusColumn: " << this->RadiusColumn << "\n";
   os << indent << "RadiusIsDiameter: " << this->RadiusIsDiameter << "\n";
+  os << indent << "UniformRadius: " << this->UniformRadius << "\n";
+  os << indent << "RadiusByType: " << this->RadiusByType << "\n";
   os << indent << "Scale: " << this->Scale << "\n";
   os << indent << "SkipLines: " << this->SkipLines << "\n";
   os << indent << "LengthUnit: " << this->LengthUnit << "\n";

@@ -11,7 +11,6 @@
 #include "ruc/Base/Random.h"
 #include "ruc/Formats/FramePack.h"
 #include "ruc/Formats/PackFormats.h"
-#include "ruc/Formats/SpherePackText.h"
 #include "ruc/Particles/CellList.h"
 #include "ruc/Particles/ParticleModes.h"
 #include "ruc/Reconstruction/CellObjective.h"
@@ -39,7 +38,7 @@ ruc::SpherePack ReadPack()
 {
   std::ifstream file(RUC_EXAMPLE_DATA "/bead_block.csv");
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  ruc::SpherePack pack = ruc::ParseSpherePack(text, {}).Pack;
+  ruc::SpherePack pack = ruc::ReadPack(text).Pack;
   std::vector<double> diameters;
   for (double radius : pack.Radius)
   {

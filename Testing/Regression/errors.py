@@ -112,5 +112,5 @@ metres.UpdatePipeline()
 heard = told()
 assert len(heard) == 1 and 'a tenth or less of the box window 5 x 5 x 5' in heard[0], heard
 metres.UpdatePropertyInformation()
-assert '216 spheres of radius 3e-07 to 3.4e-07' in metres.GetProperty('Summary').GetData()
+assert '216 spheres of diameter 6e-07 to 6.8e-07' in metres.GetProperty('Summary').GetData()
 print('errors.py: passed')

@@ -39,6 +39,43 @@ std::map<std::string, double, std::less<>> ParseRadiusByType(const std::string& 
   return radii;
 }
 
+void ScaleLengths(PackFrame& frame, double scale)
+{
+  Require(std::isfinite(scale) && scale > 0.0, "Scale", "a finite number > 0", scale);
+  for (std::size_t i = 0; i < frame.Size(); ++i)
+  {
+    const double radius = frame.Radius.empty() ? 0.0 : frame.Radius[i];
+    for (double value : { frame.X[i], frame.Y[i], frame.Z[i], radius })
+    {
+      if (!(std::abs(scale * value) <= GreatestLength) ||
+        (radius > 0.0 && scale * radius < LeastLength))
+      {
+        throw std::invalid_argument(Text("Row ", i + 1, ": coordinates of at most ", GreatestLength,
+          " and radii of 0 or from ", LeastLength, " are required, got ", value, " and radius ",
+          radius, " times Scale, ", scale, "."));
+      }
+    }
+  }
+  if (scale == 1.0)
+  {
+    return;
+  }
+  for (std::vector<double>* values : { &frame.X, &frame.Y, &frame.Z, &frame.Radius })
+  {
+    for (double& value : *values)
+    {
+      value *= scale;
+    }
+  }
+  if (frame.Box)
+  {
+    for (Vector3* lengths : { &frame.Box->Origin, &frame.Box->Edges, &frame.Box->Tilts })
+    {
+      *lengths = { scale * (*lengths)[0], scale * (*lengths)[1], scale * (*lengths)[2] };
+    }
+  }
+}
+
 std::string NameOfType(const PackFrame& frame, int type)
 {
   const auto place = static_cast<std::size_t>(type - 1);
@@ -57,7 +94,8 @@ void SetRadii(PackFrame& frame, const PackSettings& settings)
   if (byType.empty() || frame.Type.empty())
   {
     Require(settings.UniformRadius > 0.0, "The pack",
-      "radii: set UniformRadius, or RadiusByType such as 1=0.3; 2=0.42",
+      "radii: a column 'radius' or 'diameter', UniformRadius, or RadiusByType such as 1=0.3; "
+      "2=0.42",
       frame.Type.empty() ? "a file without radii and types" : "a file without radii");
     frame.Radius.assign(frame.Size(), settings.UniformRadius);
     return;
@@ -130,10 +168,6 @@ bool MayHaveGhosts(const PackFrame& frame, const Window& box)
 // Copies beyond the faces of a periodic box, which some programs write along
 std::size_t LeaveOutGhosts(PackFrame& frame, const Window& box)
 {
-  if (!MayHaveGhosts(frame, box))
-  {
-    return 0;
-  }
   SpherePack pack;
   pack.X = frame.X;
   pack.Y = frame.Y;
@@ -266,7 +300,7 @@ std::optional<Window> PlaceInBox(PackFrame& frame, FramePack& result, const Pack
   Window brick = BrickOf(box);
   if (!box.IsTilted())
   {
-    result.Ghosts = LeaveOutGhosts(frame, brick);
+    result.Ghosts = MayHaveGhosts(frame, brick) ? LeaveOutGhosts(frame, brick) : 0;
   }
   else if (brick.Periodic != periodic)
   {
@@ -280,14 +314,46 @@ std::optional<Window> PlaceInBox(PackFrame& frame, FramePack& result, const Pack
   result.Wrapped = WrapIntoBrick(frame, box);
   return brick;
 }
+
+// Moves the centres into the window that was given, where those of the pack are
+void MoveIntoWindow(FramePack& result, const Window& window)
+{
+  SpherePack& pack = result.Pack;
+  result.Wrapped = static_cast<std::size_t>(MoveIntoBox(pack, window));
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    if (!window.Contains(pack.Centre(i)))
+    {
+      throw std::invalid_argument(
+        Text("BoxOrigin and BoxSize require every centre inside the box, got that of sphere ",
+          pack.Id[i], " at (", pack.X[i], ", ", pack.Y[i], ", ", pack.Z[i], "), outside the ",
+          window.Describe(), "."));
+    }
+  }
+  if (result.Wrapped > 0)
+  {
+    result.Warnings.push_back(Text(result.Wrapped, " of ", pack.Size(), " centres lay outside the ",
+      window.Describe(), " and were moved into it by whole edges."));
+  }
+}
 }
 
 FramePack MakePack(PackFrame frame, const PackSettings& settings)
 {
   FramePack result;
+  ScaleLengths(frame, settings.Scale);
   SetRadii(frame, settings);
   CheckContainer(frame);
-  result.Box = PlaceInBox(frame, result, settings);
+  if (settings.Observed)
+  {
+    result.Box = settings.Observed;
+    result.BoxIsWindow = true;
+    result.Ghosts = LeaveOutGhosts(frame, *result.Box);
+  }
+  else
+  {
+    result.Box = PlaceInBox(frame, result, settings);
+  }
   SortById(frame);
   result.Pack.X = std::move(frame.X);
   result.Pack.Y = std::move(frame.Y);
@@ -295,6 +361,16 @@ FramePack MakePack(PackFrame frame, const PackSettings& settings)
   result.Pack.Radius = std::move(frame.Radius);
   result.Pack.Id = std::move(frame.Id);
   result.Pack.Mode = std::move(frame.Mode);
+  result.Warnings = std::move(frame.Warnings);
+  if (result.Ghosts > 0)
+  {
+    result.Warnings.push_back(
+      Text(result.Ghosts, " rows that repeat a sphere beyond the periodic box are left out."));
+  }
+  if (settings.Observed)
+  {
+    MoveIntoWindow(result, *settings.Observed);
+  }
   CheckCentres(result.Pack);
   result.Type = std::move(frame.Type);
   result.TypeNames = std::move(frame.TypeNames);
@@ -303,12 +379,6 @@ FramePack MakePack(PackFrame frame, const PackSettings& settings)
     : frame.Step           ? std::optional<double>(static_cast<double>(*frame.Step))
                            : std::nullopt;
   result.Format = std::move(frame.Format);
-  result.Warnings = std::move(frame.Warnings);
-  if (result.Ghosts > 0)
-  {
-    result.Warnings.push_back(
-      Text(result.Ghosts, " rows that repeat a sphere beyond the periodic box are left out."));
-  }
   return result;
 }
 }

@@ -15,6 +15,8 @@ namespace ruc
 /** What a file may leave open or have wrong. */
 struct PackSettings
 {
+  /** A factor for all lengths of the file; finite and > 0. The other settings are not scaled. */
+  double Scale = 1.0;
   /** The radius of every sphere if neither the file nor RadiusByType tells it; 0 means none. */
   double UniformRadius = 0.0;
   /**
@@ -24,6 +26,8 @@ struct PackSettings
   std::string RadiusByType;
   /** Which axes of the box are periodic, whatever the file tells. None means as the file tells. */
   std::optional<std::array<bool, 3>> Periodic;
+  /** The window of the centres, in place of the box of the file. */
+  std::optional<Window> Observed;
 };
 
 /**
@@ -38,11 +42,11 @@ struct FramePack
   SpherePack Pack;
   std::vector<int> Type; // may be empty
   std::vector<std::string> TypeNames;
-  /** The box of the file. For a tilted one it is the brick of BrickOf. */
+  /** The box of the file, for a tilted one the brick of BrickOf; or PackSettings::Observed. */
   std::optional<Window> Box;
   /**
-   * Whether all axes of the file's box are periodic, so that it is the window of the pack.
-   * Otherwise it is the box of a simulation, which may be much larger than the pack.
+   * Whether the box is the window of the pack: it was given, or all axes of the file's box are
+   * periodic. Otherwise it is the box of a simulation, which may be much larger than the pack.
    */
   bool BoxIsWindow = false;
   std::string LengthUnit;
@@ -61,9 +65,10 @@ struct FramePack
  * the box is not tilted (FindPeriodicCopies).
  *
  * Throws std::invalid_argument if neither file nor settings give a radius; for settings of radii
- * that are not positive numbers or lack a type; if two spheres have the same id or centre; and for
- * a sphere that holds the centres of more than nine in ten others, which is a container that some
- * programs write along.
+ * that are not positive numbers or lack a type; for coordinates and radii beyond the range of
+ * lengths that Window.h tells, but for radii of 0; if two spheres have the same id or centre; for a
+ * sphere outside the given window; and for a sphere that holds the centres of more than nine in ten
+ * others, which is a container that some programs write along.
  */
 FramePack MakePack(PackFrame frame, const PackSettings& settings);
 }

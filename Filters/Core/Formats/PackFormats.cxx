@@ -3,8 +3,11 @@
 #include "ruc/Formats/PackFormats.h"
 
 #include "ruc/Base/Text.h"
+#include "ruc/Formats/Fields.h"
 #include "ruc/Formats/Grammars/Grammars.h"
+#include "ruc/Formats/GzipBytes.h"
 
+#include <memory>
 #include <stdexcept>
 
 namespace ruc
@@ -39,6 +42,51 @@ const PackFormat* FindFormat(ByteStream& bytes)
     }
   }
   return nullptr;
+}
+
+namespace
+{
+std::string ListOfFormats()
+{
+  std::string list;
+  for (const PackFormat* format : PackFormats())
+  {
+    list += Text(list.empty() ? "" : ", ", format->Name);
+  }
+  return list;
+}
+}
+
+const PackFormat& ChooseFormat(
+  ByteStream& bytes, const std::string& name, const ReadSettings& settings)
+{
+  for (const PackFormat* format : PackFormats())
+  {
+    if (name == format->Name)
+    {
+      return *format;
+    }
+  }
+  if (name != AutomaticFormat)
+  {
+    throw std::invalid_argument(
+      Text("Format requires ", AutomaticFormat, ", ", ListOfFormats(), "; got '", name, "'."));
+  }
+  if (settings.SkipLines > 0)
+  {
+    return Table;
+  }
+  if (const PackFormat* format = FindFormat(bytes))
+  {
+    return *format;
+  }
+  const std::string begin = ReadBytes(bytes, 0, 4096);
+  if (!begin.empty() && FirstLines(begin, 1)[0].find('\0') != std::string_view::npos)
+  {
+    throw std::invalid_argument(Text("A file of one of these formats is required: ",
+      ListOfFormats(), "; got bytes that are no text and have the sign of none."));
+  }
+  return Table;
 }
 
 PackFrame ReadFrame(const PackFormat& format, ByteStream& bytes,
@@ -81,5 +129,12 @@ std::vector<double> FrameTimes(const std::vector<FramePlace>& frames)
     times.push_back(static_cast<double>(n));
   }
   return times;
+}
+
+FramePack ReadPack(std::string_view bytes)
+{
+  const std::unique_ptr<ByteStream> unpacked = Unpack(std::make_unique<MemoryBytes>(bytes));
+  const PackFormat& format = ChooseFormat(*unpacked, AutomaticFormat, {});
+  return MakePack(ReadFrame(format, *unpacked, format.Scan(*unpacked), 0, {}), {});
 }
 }

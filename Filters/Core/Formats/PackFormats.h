@@ -8,18 +8,19 @@
  * not, goes this way:
  *
  *   std::unique_ptr<ByteStream> bytes = Unpack(std::make_unique<FileOfReader>(name), memoryLimit);
- *   const PackFormat* format = FindFormat(*bytes);           // by content; nullptr: none
- *   std::vector<FramePlace> frames = format->Scan(*bytes);   // once, one pass; keep these
+ *   const PackFormat& format = ChooseFormat(*bytes, name, readSettings); // by content, or by name
+ *   std::vector<FramePlace> frames = format.Scan(*bytes);    // once, one pass; keep these
  *   std::vector<double> times = FrameTimes(frames);          // TIME_STEPS
- *   PackFrame frame = ReadFrame(*format, *bytes, frames, n, readSettings);
+ *   PackFrame frame = ReadFrame(format, *bytes, frames, n, readSettings);
  *   FramePack result = MakePack(std::move(frame), packSettings); // FramePack.h
  *   // result.Pack, result.Type, result.Box; the box is the window where result.BoxIsWindow
  *
  * Whatever is wrong throws std::invalid_argument that says where it is, what is required, and what
- * was got. The reader puts the file's name in front.
+ * was got. The reader puts the file's name in front. For bytes in memory ReadPack does it all.
  */
 
 #include "ruc/Formats/ByteStream.h"
+#include "ruc/Formats/FramePack.h"
 #include "ruc/Formats/PackFrame.h"
 
 #include <functional>
@@ -88,6 +89,20 @@ const std::vector<const PackFormat*>& PackFormats();
 /** Returns the first format that recognises the file, or nullptr. */
 const PackFormat* FindFormat(ByteStream& bytes);
 
+/** The name that stands for FindFormat in ChooseFormat. */
+constexpr const char* AutomaticFormat = "Automatic";
+
+/**
+ * Returns the format of that name. For AutomaticFormat it is the one that recognises the file; but
+ * it is a table if lines are to be skipped, and for any other text, whose refusal then tells what
+ * a table lacks.
+ *
+ * Throws std::invalid_argument, with the names of all formats, for another name and for a file of
+ * bytes that no format recognises.
+ */
+const PackFormat& ChooseFormat(
+  ByteStream& bytes, const std::string& name, const ReadSettings& settings);
+
 /**
  * Reads the n-th frame, counted from 0. Throws std::invalid_argument, which names the frame if
  * there are several.
@@ -100,4 +115,7 @@ PackFrame ReadFrame(const PackFormat& format, ByteStream& bytes,
  * numbers from 0.
  */
 std::vector<double> FrameTimes(const std::vector<FramePlace>& frames);
+
+/** Returns the first frame of the bytes of a file, whose format is told by its contents. */
+FramePack ReadPack(std::string_view bytes);
 }

@@ -113,10 +113,11 @@ double SphereRows::RadiusOf(const Fields& fields) const
   const int diameter = this->Columns.Field[RowColumns::Diameter];
   const int field = radius >= 0 ? radius : diameter;
   const double value = this->Number(fields, field) * (radius >= 0 ? 1.0 : 0.5);
-  if (!(value > 0.0))
+  if (!(value > 0.0 || (this->Columns.Points && value == 0.0)))
   {
-    this->Lines.Fail(Text(this->Columns.Describe(field), " requires a number > 0, got ",
-      Quote(fields[static_cast<std::size_t>(field)]), "."));
+    this->Lines.Fail(
+      Text(this->Columns.Describe(field), " requires a number >", this->Columns.Points ? "=" : "",
+        " 0, got ", Quote(fields[static_cast<std::size_t>(field)]), "."));
   }
   if (radius >= 0 && diameter >= 0)
   {
@@ -148,28 +149,26 @@ void SphereRows::Append(const Fields& fields)
   this->Frame.X.push_back(x);
   this->Frame.Y.push_back(y);
   this->Frame.Z.push_back(z);
+  if (this->HasModes)
+  {
+    this->AppendWhole(fields, field[RowColumns::Mode], this->Frame.Mode, this->HasModes);
+  }
   if (this->HasIds)
   {
-    this->AppendWhole(
-      "Ids", fields[static_cast<std::size_t>(field[RowColumns::Id])], this->Frame.Id, this->HasIds);
+    this->AppendWhole(fields, field[RowColumns::Id], this->Frame.Id, this->HasIds);
   }
   if (field[RowColumns::Type] >= 0)
   {
     this->AppendType(fields[static_cast<std::size_t>(field[RowColumns::Type])]);
   }
-  if (this->HasModes)
-  {
-    this->AppendWhole("Modes", fields[static_cast<std::size_t>(field[RowColumns::Mode])],
-      this->Frame.Mode, this->HasModes);
-  }
 }
 
 template <class T>
-void SphereRows::AppendWhole(
-  const char* what, std::string_view field, std::vector<T>& values, bool& has)
+void SphereRows::AppendWhole(const Fields& fields, int field, std::vector<T>& values, bool& has)
 {
+  const std::string_view text = fields[static_cast<std::size_t>(field)];
   std::int64_t value;
-  if (ParseWhole(field, value) && value >= std::numeric_limits<T>::min() &&
+  if (ParseWhole(text, value) && value >= std::numeric_limits<T>::min() &&
     value <= std::numeric_limits<T>::max())
   {
     values.push_back(static_cast<T>(value));
@@ -177,8 +176,9 @@ void SphereRows::AppendWhole(
   }
   has = false;
   values = {};
-  this->Frame.Warnings.push_back(Text(what, " are left out: line ", this->Lines.Line(), " has ",
-    Quote(field), ", which is no whole number of their range."));
+  this->Frame.Warnings.push_back(
+    Text(this->Columns.Describe(field), " is left out: whole numbers are required, got ",
+      Quote(text), " in line ", this->Lines.Line(), "."));
 }
 
 void SphereRows::AppendType(std::string_view field)

@@ -36,6 +36,8 @@ struct RowColumns
    */
   std::size_t Count = 0;
   bool More = false;
+  /** Whether a radius of 0 is taken, which stands for a point; else radii are > 0. */
+  bool Points = false;
   /** The names of the fields, for messages; may be empty. */
   std::vector<std::string> Names;
 
@@ -51,8 +53,8 @@ struct RowColumns
 
 /**
  * Reads rows of spheres into a frame; the numbers of every text format are checked here. If a row
- * tells both radius and diameter, they must agree. Ids that are not whole numbers are left out with
- * a warning; types may be names.
+ * tells both radius and diameter, they must agree. Ids or modes that are not whole numbers are left
+ * out with a warning, as not every program means the same by such a name; types may be names.
  *
  * Every refusal is std::invalid_argument that names the line.
  */
@@ -82,7 +84,7 @@ private:
   double RadiusOf(const Fields& fields) const;
   // Appends to an array of whole numbers, which is given up if a field is no whole number
   template <class T>
-  void AppendWhole(const char* what, std::string_view field, std::vector<T>& values, bool& has);
+  void AppendWhole(const Fields& fields, int field, std::vector<T>& values, bool& has);
   void AppendType(std::string_view field);
 
   LineSource& Lines;

@@ -162,7 +162,13 @@ int FindGivenRadius(
       return static_cast<int>(c);
     }
   }
-  Fail(Text("RadiusColumn requires a column ", Quote(given), ", got none of that name."));
+  std::vector<std::string> found;
+  for (const ColumnName& name : names)
+  {
+    found.push_back(name.Name);
+  }
+  Fail(Text("RadiusColumn requires a column ", Quote(given), ", got ",
+    found.empty() ? "a table without names" : "the columns " + ListOf(found), "."));
 }
 
 void SetRadius(
@@ -237,6 +243,7 @@ TableColumns FindNamedColumns(const std::vector<std::string>& found,
   }
   TableColumns table;
   RowColumns& columns = table.Columns;
+  columns.Points = true;
   columns.Count = given.size();
   columns.Names = given;
   for (int role = 0; role < RowColumns::NumberOfRoles; ++role)
@@ -271,6 +278,7 @@ TableColumns FindNamelessColumns(std::size_t count, const ReadSettings& settings
   }
   TableColumns table;
   table.Nameless = true;
+  table.Columns.Points = true;
   table.Columns.Count = count;
   table.Columns.Field = { 0, 1, 2, count == 4 ? 3 : -1, -1, -1, -1, -1 };
   SetRadius(table.Columns, {}, settings);

@@ -26,6 +26,8 @@ struct TableColumns
  * come first; a radius column that is given by name or number, and is named as a diameter, holds
  * diameters. `units` may be empty, or hold a unit for each column.
  *
+ * A radius of 0 is taken, for a point.
+ *
  * Throws std::invalid_argument for a missing column, settings that do not fit, and lengths in
  * different units.
  */

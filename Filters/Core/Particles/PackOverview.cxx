@@ -66,9 +66,9 @@ PackOverview::PackOverview(const SpherePack& pack, const std::optional<Window>& 
   const std::string in = window ? "the window" : "the bounds of the centres";
   const double volume = window ? window->Volume() : bounds.Volume();
   const double fraction = volume > 0.0 ? VolumeOf(pack) / volume : 1.0; // not known: not small
-  this->Text = ruc::Text(pack.Size(), pack.Size() == 1 ? " sphere" : " spheres", " of radius ",
-    *least, " to ", *greatest, inUnit, ", centres over ", ThreeEdges(bounds.Extent), inUnit,
-    " from (", bounds.Lower[0], ", ", bounds.Lower[1], ", ", bounds.Lower[2], "), ",
+  this->Text = ruc::Text(pack.Size(), pack.Size() == 1 ? " sphere" : " spheres", " of diameter ",
+    2.0 * *least, " to ", 2.0 * *greatest, inUnit, ", centres over ", ThreeEdges(bounds.Extent),
+    inUnit, " from (", bounds.Lower[0], ", ", bounds.Lower[1], ", ", bounds.Lower[2], "), ",
     window ? window->Describe() + " by " + source : "no window given",
     volume > 0.0 ? ruc::Text(", fraction ", fraction, " of ", in) : "", ".");
 

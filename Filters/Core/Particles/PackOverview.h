@@ -18,9 +18,9 @@ struct PackOverview
 
   /**
    * Describes a pack whose centres were observed in `window`, if that is known; `source` says where
-   * it comes from. The text gives the number of spheres, their radii, the extent of their centres,
-   * the window, and the fraction of it that the spheres' volumes add up to; without a window, the
-   * fraction of the bounds of the centres. Warnings are for
+   * it comes from. The text gives the number of spheres, their diameters, the extent of their
+   * centres, the window, and the fraction of it that the spheres' volumes add up to; without a
+   * window, the fraction of the bounds of the centres. Warnings are for
    * - three or more centres that lie within a tenth of the window along every axis, as numbers in
    *   another unit than the window's do: by chance that has a probability below 3e-5;
    * - a fraction below 1e-4, as with radii in another unit than the centres;

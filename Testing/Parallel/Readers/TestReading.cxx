@@ -20,6 +20,7 @@ public:
   {
     const std::string name = "reading_np" + std::to_string(NumberOfRanks()) + ".csv";
     std::ofstream(name, std::ios::binary) << text;
+    this->Reader->SetController(nullptr); // rank 0 alone
     this->Reader->SetFileName(name.c_str());
     if (configure)
     {
@@ -106,7 +107,8 @@ TEST(Reading, IsToldInASummary)
     });
   EXPECT_TRUE(reading.Told().empty());
   EXPECT_EQ(std::string(reading.Reader->GetSummary()),
-    "3 spheres of radius 1 to 2 mm, centres over 5 x 6 x 8 mm from (1, 1, 1), periodic box "
+    "table: 3 spheres of diameter 2 to 4 mm, centres over 5 x 6 x 8 mm from (1, 1, 1), periodic "
+    "box "
     "10 x 10 x 10 by Box Size, fraction 0.0418879 of the window.");
   const Errors errors(reading.Reader);
   reading.Reader->SetFileName("no such file.csv");

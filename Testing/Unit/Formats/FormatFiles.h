@@ -67,11 +67,7 @@ public:
     : Bytes(ruc::Unpack(std::move(bytes)))
     , Settings(settings)
   {
-    this->Format = ruc::FindFormat(*this->Bytes);
-    if (!this->Format)
-    {
-      throw std::invalid_argument("no format");
-    }
+    this->Format = &ruc::ChooseFormat(*this->Bytes, ruc::AutomaticFormat, settings);
     this->Frames = this->Format->Scan(*this->Bytes);
   }
   ruc::PackFrame Frame(std::size_t n = 0)

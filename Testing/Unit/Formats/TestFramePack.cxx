@@ -154,11 +154,50 @@ TEST(FramePack, SpheresWiderThanTheBoxAreNotSearchedForCopies)
   EXPECT_SAYS(ruc::MakePack(frame, {}), "at most 10^9 edges away");
 }
 
+TEST(FramePack, LengthsAreScaledFirst)
+{
+  PackFrame frame = Spheres({ 1, 2, 13 }, {});
+  frame.Box = FrameBox{ { 0, 0, 0 }, { 10, 10, 10 }, {}, { true, true, true }, true };
+  ruc::PackSettings settings;
+  settings.Scale = 0.5;
+  settings.UniformRadius = 0.1; // is not scaled
+  const FramePack pack = ruc::MakePack(frame, settings);
+  EXPECT_EQ(pack.Pack.X, (Doubles{ 0.5, 1, 1.5 }));
+  EXPECT_EQ(pack.Pack.Radius, Doubles(3, 0.1));
+  EXPECT_EQ(*pack.Box, ruc::Window::MakeBox({ 0, 0, 0 }, { 5, 5, 5 }, { true, true, true }));
+  frame.Radius = { 1, 0, 1e-200 };
+  settings.Scale = 1e-200;
+  EXPECT_SAYS(ruc::MakePack(frame, settings), "Row 1: coordinates of at most 1e+50 and");
+  for (double bad : { 0.0, -1.0, std::nan(""), HUGE_VAL })
+  {
+    settings.Scale = bad;
+    EXPECT_SAYS(ruc::MakePack(frame, settings), "Scale requires a finite number > 0");
+  }
+}
+
+TEST(FramePack, WindowOfSettings)
+{
+  PackFrame frame = Spheres({ 1, 12, 11, -1e-9 }, Doubles(4, 0.1));
+  frame.Box = FrameBox{ { 0, 0, 0 }, { 30, 30, 30 }, {}, { true, true, true }, true };
+  ruc::PackSettings settings;
+  settings.Observed = ruc::Window::MakeBox({ 0, 0, 0 }, { 10, 10, 10 }, { true, true, true });
+  const FramePack pack = ruc::MakePack(frame, settings);
+  EXPECT_EQ(*pack.Box, *settings.Observed);
+  EXPECT_TRUE(pack.BoxIsWindow);
+  EXPECT_EQ(pack.Ghosts, 1u);
+  EXPECT_EQ(pack.Wrapped, 1u);
+  EXPECT_EQ(pack.Pack.X, (Doubles{ 1, 2, -1e-9 })); // on the face, as far as digits tell
+  settings.Observed = ruc::Window::MakeBox({ 0, 0, 0 }, { 10, 10, 10 }, {});
+  EXPECT_SAYS(ruc::MakePack(frame, settings),
+    "BoxOrigin and BoxSize require every centre inside the box, got that of sphere 1 at (12, 1, "
+    "1)");
+}
+
 TEST(FramePack, RadiiOfSettings)
 {
   PackFrame frame = Spheres({ 1, 2, 3 }, {});
   ruc::PackSettings settings;
-  EXPECT_SAYS(ruc::MakePack(frame, settings), "requires radii: set UniformRadius");
+  EXPECT_SAYS(ruc::MakePack(frame, settings), "requires radii: ");
   settings.UniformRadius = 0.25;
   EXPECT_EQ(ruc::MakePack(frame, settings).Pack.Radius, Doubles(3, 0.25));
   settings.UniformRadius = -1;

@@ -124,7 +124,7 @@ TEST(Tables, Units)
     EXPECT_EQ(Parse("x [" + unit + "],y [µm],z [um],r [µm]\n1,2,3,4\n").LengthUnit, "µm");
   }
   EXPECT_SAYS(Parse("X [mm],Y [mm],Z [mm],Diameter [um]\n1,2,3,4\n"),
-    "Line 2: X is in mm, Diameter in um: one unit is required.");
+    "Line 1: X is in mm, Diameter in um: one unit is required.");
 }
 
 TEST(Tables, IdsTypesAndModes)
@@ -138,9 +138,31 @@ TEST(Tables, IdsTypesAndModes)
     Parse("id,x,y,z,radius,mode,type\nb1,1,2,3,0.5,glass,steel\nb2,-4,5.5,60,0.25,1,glass\n");
   EXPECT_TRUE(names.Id.empty());
   EXPECT_TRUE(names.Mode.empty());
-  EXPECT_EQ(names.Warnings.size(), 2u);
+  EXPECT_EQ(names.Warnings,
+    (std::vector<std::string>{
+      "column 6 ('mode') is left out: whole numbers are required, got 'glass' in line 2.",
+      "column 1 ('id') is left out: whole numbers are required, got 'b1' in line 2." }));
   EXPECT_EQ(names.Type, (std::vector<int>{ 2, 1 }));
   EXPECT_EQ(names.TypeNames, (std::vector<std::string>{ "glass", "steel" }));
+}
+
+TEST(Tables, ColumnsThatNobodyNeedsBlockNothing)
+{
+  for (const std::string field : { "1.5", "3000000000", "bead", "", "nan" })
+  {
+    const PackFrame frame =
+      Parse("x,y,z,r,mode,id\n1,2,3,1,1,7\n4,5,6,1," + field + ",8\n7,8,9,1,2,9\n");
+    EXPECT_EQ(frame.Size(), 3u);
+    EXPECT_TRUE(frame.Mode.empty());
+    EXPECT_EQ(frame.Id, (std::vector<std::int64_t>{ 7, 8, 9 }));
+    EXPECT_EQ(frame.Warnings.size(), 1u);
+  }
+  for (const std::string field : { "1e17", "a", "6ba7b810-9dad-11d1-80b4-00c04fd430c8" })
+  {
+    const PackFrame frame = Parse("x,y,z,r,id,mode\n1,2,3,1," + field + ",4\n");
+    EXPECT_TRUE(frame.Id.empty());
+    EXPECT_EQ(frame.Mode, std::vector<int>{ 4 });
+  }
 }
 
 TEST(Tables, Settings)
@@ -160,7 +182,12 @@ TEST(Tables, Settings)
     "Columns requires a name for each of 4 columns, got 3: x,y,z.");
   EXPECT_SAYS(Parse("1 2 3 4\n", Columns("x,y,r,-")), "a column 'z' is required");
   EXPECT_SAYS(Parse("1 2 3 4\n", RadiusColumn("5")), "RadiusColumn requires a column from 1 to 4");
-  EXPECT_SAYS(Parse("x y z r\n1 2 3 4\n", RadiusColumn("s")), "RadiusColumn requires a column 's'");
+  EXPECT_SAYS(Parse("x y z r\n1 2 3 4\n", RadiusColumn("s")),
+    "RadiusColumn requires a column 's', got the columns 'x', 'y', 'z', 'r'");
+  EXPECT_SAYS(Parse("1 2 3 4\n", RadiusColumn("0")), "RadiusColumn requires a column from 1 to 4");
+  EXPECT_SAYS(Parse("1 2 3 4\n", RadiusColumn("s")), "got a table without names");
+  skip.SkipLines = -3;
+  ExpectTheTwo("1,2,3,0.5\n-4,5.5,60,0.25\n", skip);
 }
 
 TEST(Tables, ColumnsThatAreNotGuessed)
@@ -191,7 +218,18 @@ TEST(Tables, BadRows)
   EXPECT_SAYS(
     Parse("1,2,3,1\n1,1e999,3,1\n"), "column 2 requires a number from 4.9e-324 to 1.8e308");
   EXPECT_SAYS(Parse("x,y,z,r\n1e-330,2,3,1\n"), "requires a number from 4.9e-324 to 1.8e308");
-  EXPECT_SAYS(Parse("1,2,3,1\n1,2,3,0\n"), "Line 2: column 4 requires a number > 0, got '0'");
+  EXPECT_SAYS(
+    Parse("1,2,3,1\n1,2,3,-0.5\n"), "Line 2: column 4 requires a number >= 0, got '-0.5'");
+  EXPECT_SAYS(Parse("1 2 3 1\n1,2,3,1\n"), "Line 2: 4 fields are required");
+  EXPECT_SAYS(Parse("1,2,3,1\n1,0x10,3,1\n"), "Line 2: column 2 requires a number, got '0x10'");
+  EXPECT_SAYS(Parse("1,2,3,1\n1,2,3,1e999\n"), "Line 2: column 4");
+  for (const char* bad : { "nan", "inf", "-inf", "NaN", "Infinity" })
+  {
+    EXPECT_SAYS(Parse(std::string("1,2,3,1\n1,2,3,") + bad + "\n"),
+      "Line 2: column 4 requires a finite number");
+  }
+  EXPECT_SAYS(Parse("1,2,3,1\n" + std::string(60, 'q') + ",2,3,1\n"),
+    "'" + std::string(40, 'q') + "…'"); // a long field is cut
   EXPECT_SAYS(Parse("x,y,z,r,d\n1,2,3,1,1\n"), "radius and diameter are required to agree");
   for (const char* comma :
     { "x;y;z;r\n1,5;2,5;3,5;0,5\n", "1,5;2,5;3,5;0,5\n", "x y z r\n1,5 2 3 1\n" })
@@ -212,7 +250,36 @@ TEST(Tables, NotText)
   EXPECT_SAYS(Parse(std::string("\x7F"
                                 "ELF\0\0\0\0",
                 8)),
-    "no format");
-  EXPECT_SAYS(Parse("some words, and more\n"), "no format");
-  EXPECT_SAYS(Parse(""), "no format");
+    "got bytes that are no text and have the sign of none");
+  EXPECT_SAYS(Parse(std::string("1,2,3,1\n1,2\0,3,1\n", 17)),
+    "Line 2: UTF-8 text is required, got the byte 0 at place 4");
+  EXPECT_SAYS(Parse("1,2,3,1\n1,2,3,\xE2\x82\n"), "Line 2: UTF-8"); // ends within a character
+  EXPECT_SAYS(Parse("# \xFE\n1,2,3,1\n"), "Line 1: UTF-8");         // in a comment as well
+  EXPECT_SAYS(Parse("some words, and more\n"), "Line 1: a column 'x' is required, got the columns");
+}
+
+TEST(Tables, NoSpheres)
+{
+  for (const char* empty :
+    { "", "\n", "\n\n# only a comment\n", "x,y,z,radius\n", "\xEF\xBB\xBF", "   " })
+  {
+    EXPECT_SAYS(Parse(empty), "At least one line with a sphere is required");
+  }
+  ReadSettings skip;
+  skip.SkipLines = 10;
+  EXPECT_SAYS(Parse("1,2,3,1\n", skip), "At least one line with a sphere is required");
+}
+
+TEST(Tables, RadiiOfZeroArePoints)
+{
+  EXPECT_EQ(Parse("1,2,3,0\n4,5,6,0.5\n").Radius, (std::vector<double>{ 0, 0.5 }));
+}
+
+TEST(Tables, SkippedLinesLeaveATable)
+{
+  ReadSettings skip = Columns("id,type,x,y,z,r");
+  skip.SkipLines = 9;
+  ExpectTheTwo("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n"
+               "0 9\nITEM: ATOMS id type x y z radius\n1 1 1 2 3 0.5\n2 1 -4 5.5 60 0.25\n",
+    skip);
 }

@@ -41,12 +41,12 @@ TEST(PackOverview, TellsNumberSizesExtentWindowAndFraction)
   // 4 (1/8 + 1) 4/3 pi = 18.8496 in 1000, and in 4 x 5 x 6
   const PackOverview inBox(Eight(), Cube(10.0), "Box Size", "mm");
   EXPECT_EQ(inBox.Text,
-    "8 spheres of radius 0.5 to 1 mm, centres over 4 x 5 x 6 mm from (1, 2, 3), periodic box "
+    "8 spheres of diameter 1 to 2 mm, centres over 4 x 5 x 6 mm from (1, 2, 3), periodic box "
     "10 x 10 x 10 by Box Size, fraction 0.0188496 of the window.");
   EXPECT_TRUE(inBox.Warnings.empty());
   const PackOverview alone(Eight(), {}, "", "");
   EXPECT_EQ(alone.Text,
-    "8 spheres of radius 0.5 to 1, centres over 4 x 5 x 6 from (1, 2, 3), no window given, "
+    "8 spheres of diameter 1 to 2, centres over 4 x 5 x 6 from (1, 2, 3), no window given, "
     "fraction "
     "0.15708 of the bounds of the centres.");
   EXPECT_TRUE(alone.Warnings.empty());
@@ -87,7 +87,7 @@ TEST(PackOverview, OneSphereIsEnoughForACell)
   one.Append(Eight(), 1);
   const PackOverview overview(one, Cube(3.0), "Box Size", "");
   EXPECT_EQ(overview.Text,
-    "1 sphere of radius 1 to 1, centres over 0 x 0 x 0 from (5, 2, 3), periodic box 3 x 3 x 3 by "
+    "1 sphere of diameter 2 to 2, centres over 0 x 0 x 0 from (5, 2, 3), periodic box 3 x 3 x 3 by "
     "Box "
     "Size, fraction 0.15514 of the window.");
   EXPECT_TRUE(overview.Warnings.empty());

@@ -96,6 +96,11 @@ char FindSeparator(std::string_view line)
   return Whitespace;
 }
 
+[[noreturn]] void FailEmpty()
+{
+  throw std::invalid_argument("At least one line with a sphere is required, got none.");
+}
+
 class TableReader
 {
 public:
@@ -277,8 +282,9 @@ PackFrame TableReader::Read()
   Fields fields;
   if (!this->NextRow(fields))
   {
-    return {};
+    FailEmpty();
   }
+  const std::size_t line = this->Lines.Line();
   TableColumns table;
   try
   {
@@ -291,7 +297,7 @@ PackFrame TableReader::Read()
     {
       throw;
     }
-    this->Lines.Fail(what);
+    throw std::invalid_argument(Text("Line ", line, ": ", what));
   }
   this->Frame.LengthUnit = table.LengthUnit;
   SphereRows rows(this->Lines, table.Columns, this->Frame);
@@ -300,6 +306,10 @@ PackFrame TableReader::Read()
     rows.Append(fields);
   }
   rows.Finish();
+  if (this->Frame.Size() == 0)
+  {
+    FailEmpty();
+  }
   if (table.Nameless)
   {
     this->CheckFirstColumn();
