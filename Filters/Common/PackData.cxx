@@ -104,20 +104,27 @@ vtkDataArray* FindArray(vtkFieldData* arrays, const char* name, vtkIdType count)
     : nullptr;
 }
 
+std::string ListArrays(vtkFieldData* arrays)
+{
+  std::string names;
+  for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
+  {
+    const char* name = arrays->GetArrayName(a);
+    names += Text(names.empty() ? "'" : ", '", name ? name : "", "'");
+  }
+  return names.empty() ? "no arrays" : names;
+}
+
 vtkDataArray* RequireArray(vtkPointSet* input, const char* name)
 {
   vtkAbstractArray* any = input->GetPointData()->GetAbstractArray(name);
   if (!any)
   {
-    std::string names;
-    for (int a = 0; a < input->GetPointData()->GetNumberOfArrays(); ++a)
-    {
-      const char* other = input->GetPointData()->GetArrayName(a);
-      names += Text(names.empty() ? "'" : ", '", other ? other : "", "'");
-    }
-    throw std::invalid_argument(Text("A point array '", name, "' is required, got ",
-      names.empty() ? "no point arrays" : names,
-      name == std::string("Mode") ? "; Particle Modes makes it." : "."));
+    throw std::invalid_argument(
+      Text("A point array '", name, "' is required, got ", ListArrays(input->GetPointData()),
+        name == std::string("Mode")       ? "; Particle Modes makes it."
+          : name == std::string("Radius") ? "; Points To Sphere Pack makes it."
+                                          : "."));
   }
   vtkDataArray* array = vtkDataArray::SafeDownCast(any);
   if (!array || any->GetNumberOfComponents() != 1)

@@ -73,6 +73,9 @@ ObservedPack GatherPack(
  */
 vtkDataArray* FindArray(vtkFieldData* arrays, const char* name, vtkIdType count);
 
+/** Returns the names of all arrays for messages, such as "'a', 'b'". */
+std::string ListArrays(vtkFieldData* arrays);
+
 /**
  * Returns the point array of that name. Throws std::invalid_argument unless it is numeric, with one
  * component and a value for every point.

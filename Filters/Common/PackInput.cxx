@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PackInput.h"
 
-#include "PackWindow.h"
+#include "PackData.h"
 #include "RankCommunicator.h"
+#include "ResultData.h"
 #include "ruc/Base/Text.h"
+#include "ruc/Formats/TableColumns.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -17,6 +19,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVariant.h"
 
@@ -133,6 +136,50 @@ vtkSmartPointer<vtkPoints> MergePoints(const std::vector<Block>& blocks)
   return points;
 }
 
+// The columns become arrays, and those named as x, y and z the places as well
+vtkSmartPointer<vtkPointSet> PointsOfTable(vtkTable* table)
+{
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->GetFieldData()->PassData(table->GetFieldData());
+  if (table->GetNumberOfRows() == 0)
+  {
+    return result;
+  }
+  std::vector<std::string> names;
+  for (vtkIdType n = 0; n < table->GetNumberOfColumns(); ++n)
+  {
+    names.emplace_back(table->GetColumnName(n) ? table->GetColumnName(n) : "");
+  }
+  if (!ruc::NameCentres(names))
+  {
+    throw std::invalid_argument(Text("Columns x, y and z are required, got ",
+      PackData::ListArrays(table->GetRowData()), "; Table To Points takes others."));
+  }
+  const ruc::TableColumns found = ruc::FindNamedColumns(names, {}, {});
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(table->GetNumberOfRows());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vtkAbstractArray* column = table->GetColumn(found.Columns.Field[axis]);
+    auto* numbers = vtkDataArray::SafeDownCast(column);
+    if (!numbers || numbers->GetNumberOfComponents() != 1)
+    {
+      throw std::invalid_argument(Text("Column '", column->GetName(),
+        "' requires numbers of one component, got ", column->GetDataTypeAsString(), " of ",
+        column->GetNumberOfComponents(), " component(s)."));
+    }
+    points->GetData()->CopyComponent(axis, numbers, 0);
+  }
+  result->SetPoints(points);
+  result->GetPointData()->PassData(table->GetRowData());
+  if (!found.LengthUnit.empty())
+  {
+    PackData::AddField(result, "LengthUnit", found.LengthUnit);
+  }
+  return result;
+}
+
 std::string ValuesOf(vtkAbstractArray* array)
 {
   std::string text;
@@ -184,6 +231,10 @@ void PackInput::Accept(vtkInformation* portInformation)
 
 vtkSmartPointer<vtkPointSet> PackInput::FindHere(vtkDataObject* input)
 {
+  if (auto* table = vtkTable::SafeDownCast(input))
+  {
+    return PointsOfTable(table);
+  }
   auto* whole = vtkPointSet::SafeDownCast(input);
   if (!input || (whole && !GhostTypes(whole)))
   {
@@ -196,8 +247,8 @@ vtkSmartPointer<vtkPointSet> PackInput::FindHere(vtkDataObject* input)
     auto* points = vtkPointSet::SafeDownCast(part);
     if (!points && !part->IsA("vtkCompositeDataSet"))
     {
-      throw std::invalid_argument(
-        Text("Blocks of a pack require points, got a ", part->GetClassName(), "."));
+      throw std::invalid_argument(Text("Blocks of a pack require points, got a ",
+        part->GetClassName(), part->IsA("vtkTable") ? "; Table To Points makes them." : "."));
     }
     if (points && points->GetNumberOfPoints() > 0)
     {

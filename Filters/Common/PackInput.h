@@ -17,6 +17,8 @@ class vtkInformation;
  *   with the arrays that all blocks with points have, and the field data of the blocks and of the
  *   data sets that hold them. Blocks must agree on the window and the unit of length.
  * - Points that `vtkGhostType` marks as duplicate or hidden are no spheres and are left out.
+ * - A table, where a port takes one, has its points in the columns whose names
+ *   ruc::FindNamedColumns takes for x, y and z; all columns become arrays.
  */
 namespace PackInput RUCCOMMON_EXPORT
 {
@@ -29,7 +31,7 @@ void Accept(vtkInformation* portInformation);
 
 /**
  * Returns this rank's points of an input, or null if there is none. Throws std::invalid_argument if
- * a block is no point set, and if blocks do not agree.
+ * a block is no point set, if blocks do not agree, and if a table has no such columns.
  */
 vtkSmartPointer<vtkPointSet> FindHere(vtkDataObject* input);
 

@@ -80,8 +80,13 @@ void AddField(vtkDataObject* data, const char* name, const std::vector<long long
 
 void AddField(vtkDataObject* data, const char* name, const std::string& text)
 {
+  AddField(data, name, std::vector<std::string>{ text });
+}
+
+void AddField(vtkDataObject* data, const char* name, const std::vector<std::string>& texts)
+{
   vtkNew<vtkStringArray> array;
-  Fill(array.Get(), name, std::vector<std::string>{ text });
+  Fill(array.Get(), name, texts);
   data->GetFieldData()->AddArray(array);
 }
 
@@ -90,6 +95,14 @@ void AddOrigin(vtkDataObject* data, const PackOrigin& origin)
   AddField(data, "WindowSource", origin.WindowSource);
   AddField(data, "LengthUnit", origin.LengthUnit);
   AddField(data, "PluginVersion", std::string(RUC_VERSION));
+}
+
+void AddKnownWindow(vtkDataObject* data, const PackOrigin& origin)
+{
+  if (origin.WindowSource != "Bounds of the centres")
+  {
+    AddWindow(data, origin.Observed);
+  }
 }
 
 void AddPackSummary(vtkDataObject* data, const PackOrigin& origin, std::int64_t spheres,

@@ -29,12 +29,19 @@ void AddColumn(vtkTable* table, const std::string& name, const std::vector<std::
 void AddField(vtkDataObject* data, const char* name, const std::vector<double>& values);
 void AddField(vtkDataObject* data, const char* name, const std::vector<long long>& values);
 void AddField(vtkDataObject* data, const char* name, const std::string& text);
+void AddField(vtkDataObject* data, const char* name, const std::vector<std::string>& texts);
 
 /** The name of the field data that gives the reason why an output is empty: a run was refused. */
 constexpr const char* RefusalField = "Refusal";
 
 /** Adds the field data `WindowSource`, `LengthUnit` and `PluginVersion`. */
 void AddOrigin(vtkDataObject* data, const PackOrigin& origin);
+
+/**
+ * Adds the window for filters downstream (AddWindow), unless it is that of the centres' bounds.
+ * That one is a fallback for fractions, and no window in which anything was observed.
+ */
+void AddKnownWindow(vtkDataObject* data, const PackOrigin& origin);
 
 /**
  * Adds field data that tell from what a result was made: the window, what AddOrigin adds,

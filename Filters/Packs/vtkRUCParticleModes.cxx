@@ -5,11 +5,11 @@
 #include "PackData.h"
 #include "PackEstimate.h"
 #include "PackInput.h"
+#include "PackPoints.h"
 #include "RankCommunicator.h"
 #include "ruc/Base/Require.h"
 #include "ruc/Particles/ParticleModes.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -18,7 +18,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
@@ -31,45 +30,19 @@ namespace
 const char* const MethodNames[] = { "Equal Width", "Equal Volume", "Explicit Edges",
   "One Per Size" };
 
-// Outputs the points of the input that have a mode and, with `crop`, lie in the window; with all
-// their arrays, at the places that the checked piece gives them
+// Outputs the points of the input that have a mode and, with `crop`, lie in the window
 void FillOutput(vtkPointSet* input, const ruc::ParticleModes& modes, const ruc::CheckedPiece& piece,
   bool crop, vtkPolyData* output)
 {
   vtkDataArray* radius = PackData::RequireArray(input, "Radius");
-  vtkNew<vtkPoints> points;
-  // Rounded to float, the centres may be outside again
-  points->SetDataType(piece.NumberMoved() > 0 ? VTK_DOUBLE : input->GetPoints()->GetDataType());
-  vtkNew<vtkCellArray> vertices;
+  const auto modeOf = [&](vtkIdType i) { return modes.ModeOf(2.0 * radius->GetTuple1(i)); };
   vtkNew<vtkIntArray> mode;
   mode->SetName("Mode");
-  vtkNew<vtkPointData> arrays; // without those that have no value for some points
-  arrays->ShallowCopy(input->GetPointData());
-  for (int n = arrays->GetNumberOfArrays() - 1; n >= 0; --n)
+  for (vtkIdType i : PackPoints::Copy(
+         input, piece, crop, [&](vtkIdType point) { return modeOf(point) > 0; }, output))
   {
-    if (arrays->GetAbstractArray(n)->GetNumberOfTuples() < input->GetNumberOfPoints())
-    {
-      arrays->RemoveArray(n);
-    }
+    mode->InsertNextValue(modeOf(i));
   }
-  output->GetPointData()->CopyAllOn();
-  output->GetPointData()->CopyAllocate(arrays, input->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
-  {
-    const int m = modes.ModeOf(2.0 * radius->GetTuple1(i));
-    ruc::Vector3 centre;
-    input->GetPoint(i, centre.data());
-    ruc::MoveIntoBox(centre, piece.Observed());
-    if (m > 0 && (!crop || piece.Observed().Contains(centre)))
-    {
-      const vtkIdType id = points->InsertNextPoint(centre.data());
-      vertices->InsertNextCell(1, &id);
-      output->GetPointData()->CopyData(arrays, i, id);
-      mode->InsertNextValue(m);
-    }
-  }
-  output->SetPoints(points);
-  output->SetVerts(vertices);
   output->GetPointData()->AddArray(mode);
   output->GetPointData()->SetActiveScalars("Mode"); // views colour by it
 }
@@ -164,12 +137,7 @@ void vtkRUCParticleModes::AddSummary(
   PackData::AddField(data, "Method", std::string(MethodNames[this->Method]));
   PackData::AddField(data, "NumberOfSpheres", std::vector<long long>{ spheres });
   PackData::AddOrigin(data, origin);
-  // The bounds of the centres are a fallback for the table's fractions. They are no observed
-  // window, so they are not handed on
-  if (origin.WindowSource != "Bounds of the centres")
-  {
-    PackData::AddWindow(data, origin.Observed);
-  }
+  PackData::AddKnownWindow(data, origin);
 }
 
 std::optional<ruc::Estimate> vtkRUCParticleModes::MakeEstimate()

@@ -21,7 +21,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <exception>
@@ -184,13 +183,7 @@ void vtkRUCSpherePackReader::FillOutput(const ruc::FramePack& read, vtkPolyData*
   }
   if (!read.TypeNames.empty())
   {
-    vtkNew<vtkStringArray> names;
-    names->SetName("TypeNames");
-    for (const std::string& name : read.TypeNames)
-    {
-      names->InsertNextValue(name);
-    }
-    output->GetFieldData()->AddArray(names);
+    PackData::AddField(output, "TypeNames", read.TypeNames);
   }
   if (read.BoxIsWindow)
   {

@@ -14,18 +14,27 @@ assert not any(name in os.environ for name in ("PV_PLUGIN_CONFIG_FILE", "PV_PLUG
 assert "TwoPointProbability" not in globals()
 LoadPlugin(sys.argv[1], remote=False, ns=globals())
 
-LABELS = {"Sphere Pack Reader": "sources", "Particle Modes": "filters", "One-Point Probability": "filters",
-          "Two-Point Probability": "filters", "Three-Point Probability": "filters", "Compare Probabilities": "filters",
-          "Directional Probability": "filters", "Probability Map": "filters", "Chord Lengths": "filters", "Radial Distribution": "filters",
-          "Unit Cell Reconstruction": "filters", "Periodic Replicas": "filters"}
 failures = []
 manager = servermanager.ProxyManager().SMProxyManager
-for label, group in LABELS.items():
+
+
+def ours():
+    for group in ("sources", "filters"):
+        iterator = manager.GetProxyDefinitionManager().NewSingleGroupIterator(group)
+        iterator.InitTraversal()
+        while not iterator.IsDoneWithTraversal():
+            definition = iterator.GetProxyDefinition()
+            if definition and (definition.GetAttribute("class") or "").startswith("vtkRUC"):
+                yield manager.GetPrototypeProxy(group, iterator.GetProxyName()), iterator.GetProxyName()
+            iterator.GoToNextItem()
+
+
+proxies = list(ours())
+for prototype, proxy_name in proxies:
+    label = prototype.GetXMLLabel()
     name = label.replace("-", "").replace(" ", "")
-    prototype = manager.GetPrototypeProxy(group, name)
-    if prototype is None or prototype.GetXMLLabel() != label:
-        failures.append(f"{label}: no such proxy")
-        continue
+    if name != proxy_name:
+        failures.append(f"{label}: the proxy is called {proxy_name}")
     if not callable(globals().get(name)):
         failures.append(f"{label}: no function {name}")
     for text in ("GetShortHelp", "GetLongHelp", "GetDescription"):
@@ -50,5 +59,7 @@ for label, group in LABELS.items():
     print(f"{label}: {count} properties")
     if count == 0:
         failures.append(f"{label}: no properties")
+if len(proxies) < 13:
+    failures.append(f"only {len(proxies)} proxies were found")
 print("\n".join(failures))
 sys.exit(1 if failures else 0)

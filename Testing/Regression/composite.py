@@ -19,10 +19,10 @@ spheres = [(1.5 * i + 0.1 * (j % 2), 1.5 * j, 1.5 * k + 0.05 * i, 0.4 + 0.1 * ((
            for i in range(6) for j in range(6) for k in range(6)]
 
 
-def piece(spheres, edge=box, ghosts=None):
+def piece(spheres, edge=box, ghosts=None, name='Radius'):
     points, radius, data = vtkPoints(), vtkDoubleArray(), vtkPolyData()
     points.SetDataTypeToDouble()
-    radius.SetName('Radius')
+    radius.SetName(name)
     for sphere in spheres:
         points.InsertNextPoint(sphere[:3])
         radius.InsertNextValue(sphere[3])
@@ -143,6 +143,15 @@ assert measure(XMLMultiBlockDataReader(
     FileName=[write(vtkXMLMultiBlockDataWriter(), 'halves.vtm', halves)])) == expected
 assert not servermanager.Fetch(ParticleModes(Input=single('ghosts.vtp', twice))).GetPointData().HasArray('vtkGhostType')
 print('ghosts passed', flush=True)
+
+# The same with an array of another name
+assert measure(PointsToSpherePack(Input=single('others.vtp', piece(
+    spheres + spheres[:9] + [(4.0, 4.0, 4.0, 99.0)], ghosts=[8] * len(spheres) + [1] * 9 + [2], name='radii')))) == expected
+for n, part in enumerate((spheres[:100], spheres[100:])):
+    halves.SetBlock(n, piece([(x, y, z, 2 * r) for x, y, z, r in part], name='Diameter'))
+assert measure(PointsToSpherePack(Input=XMLMultiBlockDataReader(
+    FileName=[write(vtkXMLMultiBlockDataWriter(), 'diameters.vtm', halves)]))) == expected
+print('names passed', flush=True)
 
 # Two packs are not one: all filters refuse blocks with different windows
 other = GroupDatasets(Input=[single('pack_%d.vtp' % edge, piece(spheres, edge)) for edge in (9, 10)])

@@ -71,6 +71,28 @@ def require_files(names):
     assert numbers('probabilities.csv') == columns(names['probabilities'])
 
 
+def write_particles(name):
+    """As LIGGGHTS writes them: floats, in an array with a small letter."""
+    numbers = range(1000)
+    points = ' '.join('%d %d %d' % (2 * (n % 10), 2 * (n // 10 % 10), 2 * (n // 100)) for n in numbers)
+    arrays = {'id': ('Int32', [n + 1 for n in numbers]), 'type': ('Int32', [1 + n % 2 for n in numbers]),
+              'radius': ('Float32', [0.5 + 0.25 * (n % 2) for n in numbers])}
+    with open(name, 'w') as file:
+        file.write('<VTKFile type="PolyData" version="0.1"><PolyData><Piece NumberOfPoints="%d"><Points>'
+                   '<DataArray type="Float32" NumberOfComponents="3" format="ascii">%s</DataArray></Points><PointData>' % (len(numbers), points))
+        for array, (kind, values) in arrays.items():
+            file.write('<DataArray type="%s" Name="%s" format="ascii">%s</DataArray>' % (kind, array, ' '.join(map(str, values))))
+        file.write('</PointData></Piece></PolyData></VTKFile>')
+
+
+def require_particles(pack):
+    data = fetch(pack)
+    radius, kind, number = (data.GetPointData().GetArray(name) for name in ('Radius', 'Type', 'Id'))
+    assert sorted((number.GetValue(i), kind.GetValue(i), radius.GetValue(i)) for i in range(data.GetNumberOfPoints())) == [
+        (n + 1, 1 + n % 2, 0.5 + 0.25 * (n % 2)) for n in range(1000)]
+    assert box(data) == [[0, 0, 0], [20, 20, 20], [1, 1, 1]]
+
+
 def readme():
     """Each block goes on where the one before ended."""
     names = {}
@@ -78,6 +100,7 @@ def readme():
         exec(compile(block, 'README.md, block %d' % (n + 1), 'exec'), names)
         if 'cell_box.csv' in block:
             require_files(names)
+    require_particles(names['settled'])
     assert len(columns(names['cells'], 4)['Seed']) == 5
 
 
@@ -98,4 +121,5 @@ for file in os.listdir():
         os.remove(file)
 link('bead_block.csv', 'Data', 'bead_block.csv')
 link('Data', 'Data')
+write_particles('particles.vtp')
 run((readme, shortest_script))

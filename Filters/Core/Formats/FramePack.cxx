@@ -76,46 +76,13 @@ void ScaleLengths(PackFrame& frame, double scale)
   }
 }
 
-std::string NameOfType(const PackFrame& frame, int type)
-{
-  const auto place = static_cast<std::size_t>(type - 1);
-  return frame.TypeNames.empty() ? std::to_string(type) : frame.TypeNames.at(place);
-}
-
 void SetRadii(PackFrame& frame, const PackSettings& settings)
 {
-  Require(settings.UniformRadius >= 0.0 && std::isfinite(settings.UniformRadius), "UniformRadius",
-    "a finite number >= 0", settings.UniformRadius);
-  const auto byType = ParseRadiusByType(settings.RadiusByType);
-  if (!frame.Radius.empty())
+  std::vector<double> radii =
+    MakeRadii(frame.Radius.empty() ? frame.Size() : 0, frame.Type, frame.TypeNames, settings);
+  if (frame.Radius.empty())
   {
-    return;
-  }
-  if (byType.empty() || frame.Type.empty())
-  {
-    Require(settings.UniformRadius > 0.0, "The pack",
-      "radii: a column 'radius' or 'diameter', UniformRadius, or RadiusByType such as 1=0.3; "
-      "2=0.42",
-      frame.Type.empty() ? "a file without radii and types" : "a file without radii");
-    frame.Radius.assign(frame.Size(), settings.UniformRadius);
-    return;
-  }
-  std::map<int, double> radii;
-  for (int type : frame.Type)
-  {
-    if (radii.find(type) == radii.end())
-    {
-      const std::string name = NameOfType(frame, type);
-      const auto given = byType.find(name);
-      Require(given != byType.end() || settings.UniformRadius > 0.0, "RadiusByType",
-        Text("a radius of type ", name, ", or UniformRadius"), Quote(settings.RadiusByType));
-      radii[type] = given != byType.end() ? given->second : settings.UniformRadius;
-    }
-  }
-  frame.Radius.reserve(frame.Size());
-  for (int type : frame.Type)
-  {
-    frame.Radius.push_back(radii.at(type));
+    frame.Radius = std::move(radii);
   }
 }
 
@@ -336,6 +303,46 @@ void MoveIntoWindow(FramePack& result, const Window& window)
       window.Describe(), " and were moved into it by whole edges."));
   }
 }
+}
+
+std::vector<double> MakeRadii(std::size_t count, const std::vector<int>& types,
+  const std::vector<std::string>& names, const PackSettings& settings)
+{
+  Require(settings.UniformRadius >= 0.0 && std::isfinite(settings.UniformRadius), "UniformRadius",
+    "a finite number >= 0", settings.UniformRadius);
+  const auto byType = ParseRadiusByType(settings.RadiusByType);
+  if (count == 0)
+  {
+    return {};
+  }
+  if (byType.empty() || types.empty())
+  {
+    Require(settings.UniformRadius > 0.0, "The pack",
+      "radii: a column 'radius' or 'diameter', UniformRadius, or RadiusByType such as 1=0.3; "
+      "2=0.42",
+      types.empty() ? "neither radii nor types" : "no radii");
+    return std::vector<double>(count, settings.UniformRadius);
+  }
+  std::map<int, double> radii;
+  for (int type : types)
+  {
+    if (radii.find(type) == radii.end())
+    {
+      const std::string name =
+        names.empty() ? std::to_string(type) : names.at(static_cast<std::size_t>(type - 1));
+      const auto given = byType.find(name);
+      Require(given != byType.end() || settings.UniformRadius > 0.0, "RadiusByType",
+        Text("a radius of type ", name, ", or UniformRadius"), Quote(settings.RadiusByType));
+      radii[type] = given != byType.end() ? given->second : settings.UniformRadius;
+    }
+  }
+  std::vector<double> ofSpheres;
+  ofSpheres.reserve(count);
+  for (int type : types)
+  {
+    ofSpheres.push_back(radii.at(type));
+  }
+  return ofSpheres;
 }
 
 FramePack MakePack(PackFrame frame, const PackSettings& settings)

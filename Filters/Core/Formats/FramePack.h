@@ -61,6 +61,17 @@ struct FramePack
 };
 
 /**
+ * Returns a radius for each of `count` spheres of which only the types are known. `types` is empty
+ * or has one for each sphere, and `names` are those of PackFrame::TypeNames. A type that
+ * RadiusByType does not have gets UniformRadius.
+ *
+ * Throws std::invalid_argument for settings that are not positive numbers, even if there are no
+ * spheres, and for a sphere that gets no radius.
+ */
+std::vector<double> MakeRadii(std::size_t count, const std::vector<int>& types,
+  const std::vector<std::string>& names, const PackSettings& settings);
+
+/**
  * Makes a pack of a frame. Rows that only repeat a sphere in a neighbouring image are left out if
  * the box is not tilted (FindPeriodicCopies).
  *

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <stdexcept>
 
 namespace ruc
@@ -50,6 +51,13 @@ ColumnName SplitUnit(const std::string& given)
     std::string(TrimBlanks(std::string_view(text).substr(open + 1, text.size() - open - 2))) };
 }
 
+std::vector<ColumnName> SplitUnits(const std::vector<std::string>& given)
+{
+  std::vector<ColumnName> names;
+  std::transform(given.begin(), given.end(), std::back_inserter(names), SplitUnit);
+  return names;
+}
+
 bool IsOneOf(const std::string& name, std::initializer_list<const char*> names)
 {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -85,32 +93,33 @@ bool IsAxis(const std::string& name, int axis)
   return false;
 }
 
-bool HasRole(const std::string& name, int role)
+// The names that stand for a role other than an axis; the first is the surest
+const std::vector<std::string>& NamesOf(int role)
 {
-  switch (role)
-  {
-    case RowColumns::X:
-    case RowColumns::Y:
-    case RowColumns::Z:
-      return IsAxis(name, role - RowColumns::X);
-    case RowColumns::Radius:
-      return IsOneOf(name, { "radius", "r", "rad", "radii" });
-    case RowColumns::Diameter:
-      return IsOneOf(name, { "diameter", "d", "diam", "diameters" });
-    case RowColumns::Id:
-      return name == "id";
-    case RowColumns::Type:
-      return IsOneOf(name, { "type", "matid", "species" });
-    default:
-      return name == "mode";
-  }
+  static const std::vector<std::string> names[RowColumns::NumberOfRoles] = { {}, {}, {},
+    { "radius", "radii", "rad", "r" }, { "diameter", "diameters", "diam", "d" }, { "id" },
+    { "type", "matid", "species" }, { "mode" } };
+  return names[role];
 }
 
 int FindRole(const std::vector<ColumnName>& names, int role)
 {
-  const auto found = std::find_if(names.begin(), names.end(),
-    [role](const ColumnName& name) { return HasRole(name.Name, role); });
-  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+  const auto find = [&](const auto& isIt)
+  {
+    const auto found = std::find_if(
+      names.begin(), names.end(), [&](const ColumnName& name) { return isIt(name.Name); });
+    return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+  };
+  if (role <= RowColumns::Z)
+  {
+    return find([role](const std::string& name) { return IsAxis(name, role); });
+  }
+  int place = -1;
+  for (const std::string& known : NamesOf(role))
+  {
+    place = place < 0 ? find([&known](const std::string& name) { return name == known; }) : place;
+  }
+  return place;
 }
 
 std::string ListOf(const std::vector<std::string>& names)
@@ -180,7 +189,7 @@ void SetRadius(
   {
     const int given = FindGivenRadius(names, columns.Count, settings);
     const bool named = static_cast<std::size_t>(given) < names.size() &&
-      HasRole(names[static_cast<std::size_t>(given)].Name, RowColumns::Diameter);
+      FindRole({ names[static_cast<std::size_t>(given)] }, RowColumns::Diameter) == 0;
     radius = named ? -1 : given;
     diameter = named ? given : -1;
   }
@@ -236,11 +245,7 @@ TableColumns FindNamedColumns(const std::vector<std::string>& found,
     Fail(Text("Columns requires a name for each of ", found.size(), " columns, got ", given.size(),
       ": ", settings.Columns, "."));
   }
-  std::vector<ColumnName> names;
-  for (const std::string& name : given)
-  {
-    names.push_back(SplitUnit(name));
-  }
+  const std::vector<ColumnName> names = SplitUnits(given);
   TableColumns table;
   RowColumns& columns = table.Columns;
   columns.Points = true;
@@ -285,13 +290,14 @@ TableColumns FindNamelessColumns(std::size_t count, const ReadSettings& settings
   return table;
 }
 
+int FindColumn(const std::vector<std::string>& names, RowColumns::Role role)
+{
+  return FindRole(SplitUnits(names), role);
+}
+
 bool NameCentres(const std::vector<std::string>& names)
 {
-  std::vector<ColumnName> split;
-  for (const std::string& name : names)
-  {
-    split.push_back(SplitUnit(name));
-  }
+  const std::vector<ColumnName> split = SplitUnits(names);
   return FindRole(split, RowColumns::X) >= 0 && FindRole(split, RowColumns::Y) >= 0 &&
     FindRole(split, RowColumns::Z) >= 0;
 }

@@ -21,10 +21,10 @@ struct TableColumns
 
 /**
  * Finds the columns by their names, in upper or lower case, after a unit in brackets or parentheses
- * is split off: x, "position x", pos_x, CenterX, Points:0, Points_0; r, rad, radius, radii; d,
- * diam, diameter, diameters; id; type, matId, species; mode. ReadSettings::Columns and RadiusColumn
- * come first; a radius column that is given by name or number, and is named as a diameter, holds
- * diameters. `units` may be empty, or hold a unit for each column.
+ * is split off: x, "position x", pos_x, CenterX, Points:0, Points_0; radius, radii, rad, r, in
+ * this order; diameter, diameters, diam, d; id; type, matId, species; mode. ReadSettings::Columns
+ * and RadiusColumn come first; a radius column that is given by name or number, and is named as a
+ * diameter, holds diameters. `units` may be empty, or hold a unit for each column.
  *
  * A radius of 0 is taken, for a point.
  *
@@ -39,6 +39,12 @@ TableColumns FindNamedColumns(const std::vector<std::string>& names,
  * refused, as it cannot be known what they are.
  */
 TableColumns FindNamelessColumns(std::size_t count, const ReadSettings& settings);
+
+/**
+ * Returns the place of the column whose name stands for a role, as FindNamedColumns tells, or -1 if
+ * there is none.
+ */
+int FindColumn(const std::vector<std::string>& names, RowColumns::Role role);
 
 /** Returns whether names have columns x, y and z. */
 bool NameCentres(const std::vector<std::string>& names);

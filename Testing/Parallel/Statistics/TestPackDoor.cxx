@@ -8,6 +8,7 @@
 #include "vtkRUCDirectionalProbability.h"
 #include "vtkRUCOnePointProbability.h"
 #include "vtkRUCParticleModes.h"
+#include "vtkRUCPointsToSpherePack.h"
 #include "vtkRUCProbabilityMap.h"
 #include "vtkRUCRadialDistribution.h"
 #include "vtkRUCThreePointProbability.h"
@@ -89,6 +90,7 @@ void ExpectOne(const std::vector<std::string>& warnings, const std::vector<std::
 template <class Check>
 void ForEachFilter(Check&& check)
 {
+  check(static_cast<vtkRUCPointsToSpherePack*>(nullptr));
   check(static_cast<vtkRUCParticleModes*>(nullptr));
   check(static_cast<vtkRUCOnePointProbability*>(nullptr));
   check(static_cast<vtkRUCTwoPointProbability*>(nullptr));

@@ -6,6 +6,7 @@
 #include "vtkRUCChordLengths.h"
 #include "vtkRUCOnePointProbability.h"
 #include "vtkRUCParticleModes.h"
+#include "vtkRUCPointsToSpherePack.h"
 #include "vtkRUCRadialDistribution.h"
 #include "vtkRUCThreePointProbability.h"
 #include "vtkRUCTwoPointProbability.h"
@@ -233,6 +234,7 @@ TEST(WindowRefusals, LayerOfSpheres)
   RefusesLayer<vtkRUCRadialDistribution>("Radial Distribution");
   RefusesLayer<vtkRUCChordLengths>("Chord Lengths");
   RefusesLayer<vtkRUCParticleModes>("Particle Modes");
+  RefusesLayer<vtkRUCPointsToSpherePack>("Points To Sphere Pack");
 }
 
 TEST(PackRefusals, BlocksWithoutData)

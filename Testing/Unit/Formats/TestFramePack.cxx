@@ -198,6 +198,7 @@ TEST(FramePack, RadiiOfSettings)
   PackFrame frame = Spheres({ 1, 2, 3 }, {});
   ruc::PackSettings settings;
   EXPECT_SAYS(ruc::MakePack(frame, settings), "requires radii: ");
+  EXPECT_SAYS(ruc::MakePack(frame, settings), "got neither radii nor types.");
   settings.UniformRadius = 0.25;
   EXPECT_EQ(ruc::MakePack(frame, settings).Pack.Radius, Doubles(3, 0.25));
   settings.UniformRadius = -1;
@@ -214,6 +215,12 @@ TEST(FramePack, RadiiOfSettings)
     settings.RadiusByType = bad;
     EXPECT_SAYS(ruc::MakePack(frame, settings), "RadiusByType requires types and radii > 0");
   }
+  settings.RadiusByType = "steel=0.2"; // the others are uniform
+  EXPECT_SAYS(ruc::MakePack(frame, settings), "RadiusByType requires a radius of type glass");
+  settings.UniformRadius = 0.5;
+  EXPECT_EQ(ruc::MakeRadii(3, frame.Type, frame.TypeNames, settings), (Doubles{ 0.2, 0.5, 0.2 }));
+  settings.RadiusByType = "steel";
+  EXPECT_SAYS(ruc::MakeRadii(0, {}, {}, settings), "RadiusByType requires types and radii > 0");
   frame.Radius = { 1, 2, 3 }; // the file's go first
   settings.RadiusByType = "steel=0.2";
   EXPECT_EQ(

@@ -94,7 +94,9 @@ TEST(Tables, Names)
       "CenterX,CenterY,CenterZ,Radius\n1,2,3,0.5\n-4,5.5,60,0.25\n",
       "Position X,Position Y,Position Z,Radius\n1,2,3,0.5\n-4,5.5,60,0.25\n",
       "x,y,z,Diameter\n1,2,3,1\n-4,5.5,60,0.5\n", "x,y,z,d\n1,2,3,1\n-4,5.5,60,0.5\n",
-      "x,y,z,diam,r\n1,2,3,1,0.5\n-4,5.5,60,0.5,0.25\n", "# x y z r\n1 2 3 0.5\n-4 5.5 60 0.25\n",
+      "x,y,z,diam,r\n1,2,3,1,0.5\n-4,5.5,60,0.5,0.25\n",
+      "r,x,y,z,Radius\n7,1,2,3,0.5\n8,-4,5.5,60,0.25\n", // r is something else "# x y z r\n1 2 3
+                                                         // 0.5\n-4 5.5 60 0.25\n",
       "# id,x,y,z,r\n7,1,2,3,0.5\n8,-4,5.5,60,0.25\n", "% x y z d\n1 2 3 1\n-4 5.5 60 0.5\n",
       "# made by John Smith\n1 2 3 0.5\n-4 5.5 60 0.25\n", // four words, but no names
       "# x y z r\n# of a pack\n1 2 3 0.5\n-4 5.5 60 0.25\n",
