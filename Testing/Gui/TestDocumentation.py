@@ -19,6 +19,8 @@ manager = servermanager.ProxyManager().SMProxyManager
 
 
 def ours():
+    # Its class is ParaView's reader of series
+    yield manager.GetPrototypeProxy("sources", "SpherePackReader"), "SpherePackReader"
     for group in ("sources", "filters"):
         iterator = manager.GetProxyDefinitionManager().NewSingleGroupIterator(group)
         iterator.InitTraversal()
