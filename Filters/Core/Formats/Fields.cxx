@@ -180,7 +180,12 @@ std::string NumberFault(std::string_view field)
     if (comma != std::string::npos)
     {
       point[comma] = '.';
-      required = ParseNumber(point, value) ? "a decimal point" : required;
+      const bool decimal = ParseNumber(point, value);
+      point.erase(std::remove(point.begin(), point.end(), ','), point.end());
+      point.erase(comma, 1);
+      required = decimal            ? "a decimal point"
+        : ParseNumber(point, value) ? "a number without marks between thousands"
+                                    : required;
     }
   }
   return Text(required, ", got ", Quote(field), ".");

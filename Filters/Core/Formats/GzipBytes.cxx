@@ -7,6 +7,7 @@
 #include <zlib.h>
 
 #include <array>
+#include <cstring>
 #include <new>
 #include <stdexcept>
 #include <vector>
@@ -16,6 +17,8 @@ namespace ruc
 namespace
 {
 constexpr std::uint64_t MiB = 1u << 20;
+// More than a LineSource reads ahead
+constexpr std::size_t KeptBytes = MiB;
 
 class GzipBytes : public ByteStream
 {
@@ -44,6 +47,8 @@ public:
   }
 
 private:
+  std::size_t UnpackInto(char* buffer, std::size_t size);
+  void Keep(const char* unpacked, std::size_t size);
   void Restart();
   bool Refill();          // false at the end of the packed bytes
   bool BeginsMember();    // after the end of one
@@ -53,7 +58,8 @@ private:
   const std::uint64_t Most;
   z_stream Inflate = {};
   std::vector<unsigned char> Input = std::vector<unsigned char>(65536);
-  std::uint64_t PackedBytes = 0, UnpackedBytes = 0;
+  std::uint64_t PackedBytes = 0, UnpackedBytes = 0, At = 0; // At: the next byte to be read
+  std::string Last;                                         // the bytes that were unpacked last
   bool InMember = true;
 };
 
@@ -62,7 +68,8 @@ void GzipBytes::Restart()
   inflateReset(&this->Inflate);
   this->Packed->Seek(0);
   this->Inflate.avail_in = 0;
-  this->PackedBytes = this->UnpackedBytes = 0;
+  this->PackedBytes = this->UnpackedBytes = this->At = 0;
+  this->Last.clear();
   this->InMember = true;
 }
 
@@ -103,7 +110,7 @@ void GzipBytes::CheckSize() const
   }
 }
 
-std::size_t GzipBytes::Read(char* buffer, std::size_t size)
+std::size_t GzipBytes::UnpackInto(char* buffer, std::size_t size)
 {
   std::size_t done = 0;
   while (done < size && (this->InMember || this->BeginsMember()))
@@ -132,16 +139,37 @@ std::size_t GzipBytes::Read(char* buffer, std::size_t size)
   return done;
 }
 
+void GzipBytes::Keep(const char* unpacked, std::size_t size)
+{
+  this->Last.append(unpacked, size);
+  if (this->Last.size() > 2 * KeptBytes)
+  {
+    this->Last.erase(0, this->Last.size() - KeptBytes);
+  }
+}
+
+std::size_t GzipBytes::Read(char* buffer, std::size_t size)
+{
+  const auto known =
+    static_cast<std::size_t>(std::min<std::uint64_t>(size, this->UnpackedBytes - this->At));
+  std::memcpy(
+    buffer, this->Last.data() + this->Last.size() - (this->UnpackedBytes - this->At), known);
+  const std::size_t unpacked = this->UnpackInto(buffer + known, size - known);
+  this->Keep(buffer + known, unpacked);
+  this->At += known + unpacked;
+  return known + unpacked;
+}
+
 void GzipBytes::Seek(std::uint64_t offset)
 {
-  if (offset < this->UnpackedBytes)
+  if (offset < this->UnpackedBytes - this->Last.size())
   {
     this->Restart();
   }
+  this->At = std::min(offset, this->UnpackedBytes);
   std::array<char, 65536> passed;
-  while (this->UnpackedBytes<offset&& this->Read(passed.data(),
-           static_cast<std::size_t>(
-             std::min<std::uint64_t>(passed.size(), offset - this->UnpackedBytes)))> 0)
+  while (this->At<offset&& this->Read(passed.data(),
+           static_cast<std::size_t>(std::min<std::uint64_t>(passed.size(), offset - this->At)))> 0)
   {
   }
 }

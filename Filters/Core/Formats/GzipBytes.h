@@ -11,7 +11,8 @@ namespace ruc
 {
 /**
  * Returns the stream itself, or what it unpacks to if its first bytes are those of gzip (one member
- * or several). Bytes are unpacked as they are read; going back begins again at the start.
+ * or several). Bytes are unpacked as they are read. The last MiB is kept, so that whoever has read
+ * ahead can go back to where the next frame begins; going back farther begins again at the start.
  *
  * Reading throws std::invalid_argument if the packed bytes are damaged or end early, and if they
  * unpack to more than `mostBytes` or, from 16 MiB on, to more than a thousand times their number:

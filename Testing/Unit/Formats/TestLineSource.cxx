@@ -110,6 +110,57 @@ TEST(Gzip, UnpacksMembersAndGoesBack)
     (std::vector<std::string>{ "a", "b" }));
 }
 
+namespace
+{
+// Counts how often it is read from the start
+class CountedBytes : public ruc::MemoryBytes
+{
+public:
+  CountedBytes(std::string_view bytes, int& starts)
+    : ruc::MemoryBytes(bytes)
+    , Starts(starts)
+  {
+  }
+  void Seek(std::uint64_t offset) override
+  {
+    this->Starts += offset == 0;
+    ruc::MemoryBytes::Seek(offset);
+  }
+
+private:
+  int& Starts;
+};
+}
+
+TEST(Gzip, FramesOneAfterTheOtherAreUnpackedOnce)
+{
+  std::string text;
+  for (int step = 0; step < 40; ++step)
+  {
+    text += "ITEM: TIMESTEP\n" + std::to_string(step) +
+      "\nITEM: NUMBER OF ATOMS\n3000\nITEM: ATOMS id x y z radius\n";
+    for (int i = 0; i < 3000; ++i)
+    {
+      text += std::to_string(i) + " " + std::to_string(step) + "." + std::to_string(i) + " " +
+        std::to_string(i * i) + " 3 0.25\n";
+    }
+  }
+  ASSERT_GT(text.size(), 2500000u); // more than what is kept
+  const std::string packed = Packed(text);
+  int starts = 0;
+  formats::Opened file(std::make_unique<CountedBytes>(packed, starts));
+  ASSERT_EQ(file.Frames.size(), 40u);
+  EXPECT_EQ(file.Frame(0).X[1], 0.1);
+  const int before = starts;
+  for (std::size_t n = 1; n < 40; ++n)
+  {
+    EXPECT_EQ(file.Frame(n).X[1], static_cast<double>(n) + 0.1);
+  }
+  EXPECT_EQ(starts, before);
+  EXPECT_EQ(file.Frame(3).X[1], 3.1);
+  EXPECT_EQ(starts, before + 1) << "back to the start, once";
+}
+
 TEST(Gzip, Refusals)
 {
   const std::string text = LongText();

@@ -238,6 +238,8 @@ TEST(Tables, BadRows)
   {
     EXPECT_SAYS(Parse(comma), "requires a decimal point, got '1,5'");
   }
+  EXPECT_SAYS(Parse("x,y,z,r\n\"1,234.5\",2,3,1\n"),
+    "requires a number without marks between thousands, got '1,234.5'");
   EXPECT_SAYS(
     Parse("1,2,3,1\n" + std::string(70000, '1')), "Line 2: a line of at most 65536 bytes");
 }
