@@ -35,7 +35,7 @@ PROPERTIES = {'filters.DirectionalProbability': ['Number Of Directions', 'Number
               'filters.RadialDistribution': ['Maximum Lag', 'Number Of Lags', 'Estimated Memory'],
               'filters.TwoPointProbability': ['Method', 'Number Of Lines', 'Seed', 'Box Size', 'Estimated Time'],
               'filters.UnitCellReconstruction': ['Method', 'Cell Size', 'Checkpoint Interval', 'Cylinder Axis'],
-              'sources.SpherePackReader': ['Length Unit', 'Box Periodic']}
+              'sources.SpherePackReader': ['File Name', 'Format', 'Columns', 'Radius By Type', 'Length Unit', 'Box Periodic']}
 
 # The plugin holds the help file in base64, in pieces
 with open(PLUGIN, 'rb') as file:

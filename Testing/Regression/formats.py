@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files of other programs as a user opens them: by their name alone, one frame after the other, a file a step, and with what the panel offers."""
+import gzip
+import os
+import shutil
+import sys
+
+from paraview.simple import *
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from harness import RANKS, expect_error, fetch, field, run
+
+folder = os.path.join(sys.argv[1], 'formats_%d' % RANKS)
+data = os.path.join(sys.argv[2], 'formats', 'same_pack')
+shutil.rmtree(folder, ignore_errors=True)
+os.makedirs(folder)
+
+
+def frame(step, x):
+    """Three spheres, the first of them at x."""
+    return ('ITEM: TIMESTEP\n%d\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS pp pp pp\n0 10\n0 10\n0 10\nITEM: ATOMS id type x y z radius\n'
+            '2 1 5 5 5 0.5\n1 2 %r 2 3 0.25\n3 1 8 8 8 0.5\n' % (step, x))
+
+
+def write(name, text):
+    path = os.path.join(folder, name)
+    with (gzip.open if name.endswith('.gz') else open)(path, 'wt') as file:
+        file.write(text)
+    return path
+
+
+def first_at(reader, time):
+    """The centre x of the first sphere, and the time of the data, as a filter behind the reader gets them."""
+    last = ParticleModes(Input=reader, Method='One Per Size')
+    last.UpdatePipeline(time)
+    info = last.GetDataInformation()
+    assert info.GetNumberOfPoints() == 3, info.GetNumberOfPoints()
+    got = reader.GetDataInformation().GetTime()
+    x = servermanager.Fetch(last).GetPoint(0)[0]
+    Delete(last)
+    return x, got
+
+
+def test_frames():
+    for name in ('frames.dump', 'frames.dump.gz'):
+        reader = SpherePackReader(FileName=write(name, frame(0, 1.0) + frame(100, 1.5) + frame(200, 2.0)))
+        assert list(reader.TimestepValues) == [0, 100, 200]
+        for time, x in ((0, 1.0), (100, 1.5), (200, 2.0), (150, 1.5), (100, 1.5), (0, 1.0), (200, 2.0)):
+            assert first_at(reader, time)[0] == x, (name, time)
+
+
+def test_series():
+    names = [write(name, frame(step, x)) for name, step, x in (('dump.0', 0, 1.0), ('dump.500', 500, 1.5), ('dump.1000.gz', 1000, 2.0))]
+    reader = SpherePackReader(FileName=names)
+    assert list(reader.TimestepValues) == [0, 500, 1000]
+    for time, x in ((0, 1.0), (500, 1.5), (1000, 2.0), (500, 1.5), (0, 1.0), (1000, 2.0)):
+        assert first_at(reader, time)[0] == x, time
+        assert reader.GetProperty('Summary').GetData() is not None
+    # Tables tell no times: they are numbered
+    names = [write('table.%d.csv' % n, 'x,y,z,r\n%r,2,3,0.5\n5,5,5,0.5\n8,8,8,0.5\n' % (1.0 + n)) for n in range(3)]
+    reader = SpherePackReader(FileName=names, BoxSize=[10, 10, 10])
+    assert list(reader.TimestepValues) == [0, 1, 2]
+    assert first_at(reader, 2)[0] == 3.0 and first_at(reader, 1)[0] == 2.0
+
+
+def test_opened_by_name():
+    for name in sorted(os.listdir(data)):
+        if name.endswith(('.nfo', '.vtk', '.vtp')):
+            continue
+        path = os.path.join(data, name)
+        reader = SpherePackReader(FileName=path) if name.endswith(('.csv', '.txt', '.dat', '.xyz')) else OpenDataFile(path)
+        if name in ('lammps_atom_no_radius.dump', 'no_header_id_first.txt', 'positions_only.csv'):
+            continue
+        assert reader.SMProxy.GetXMLName() == 'SpherePackReader', (name, reader)
+        pack = fetch(reader)
+        assert pack.GetNumberOfPoints() == 500, (name, pack.GetNumberOfPoints())
+
+
+def test_formats_of_the_panel():
+    reader = SpherePackReader(FileName=os.path.join(data, 'truth.csv'))
+    formats = reader.GetProperty('Format').GetDomain('formats')
+    names = [formats.GetString(n) for n in range(formats.GetNumberOfStrings())]
+    reader.Format = 'none of them'
+    expect_error(reader, ['Format requires %s; got' % ', '.join(names)])
+    reader.Format = 'table'
+    assert fetch(reader).GetNumberOfPoints() == 500
+
+
+def test_refusal_of_one_frame():
+    whole = frame(0, 1.0) + frame(100, 1.5)
+    reader = SpherePackReader(FileName=write('cut.dump', whole[:-20]))
+    assert first_at(reader, 0)[0] == 1.0
+    reader.UpdatePipeline(0)
+    assert field(fetch(reader), 'TimeValue') == 0
+    assert list(reader.TimestepValues) == [0, 100]
+
+
+run([test_frames, test_series, test_opened_by_name, test_formats_of_the_panel, test_refusal_of_one_frame])
