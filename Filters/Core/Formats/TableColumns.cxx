@@ -171,11 +171,9 @@ int FindGivenRadius(
       return static_cast<int>(c);
     }
   }
-  std::vector<std::string> found;
-  for (const ColumnName& name : names)
-  {
-    found.push_back(name.Name);
-  }
+  std::vector<std::string> found(names.size());
+  std::transform(
+    names.begin(), names.end(), found.begin(), [](const ColumnName& name) { return name.Name; });
   Fail(Text("RadiusColumn requires a column ", Quote(given), ", got ",
     found.empty() ? "a table without names" : "the columns " + ListOf(found), "."));
 }
