@@ -5,6 +5,7 @@
     pvbatch readme.py FOLDER     FOLDER for its files
 """
 import csv
+import gzip
 import os
 import re
 import sys
@@ -85,6 +86,21 @@ def write_particles(name):
         file.write('</PointData></Piece></PolyData></VTKFile>')
 
 
+def write_formats():
+    with open(os.path.join(ROOT, 'Testing', 'Data', 'formats', 'same_pack', 'lammps_frames.dump'), 'rb') as dump:
+        with gzip.open('settling.dump.gz', 'wb') as packed:
+            packed.write(dump.read())
+    with open('beads.txt', 'w') as file:
+        file.writelines('%d %d %d %d\n' % (n + 1, 2 * (n % 3), 2 * (n // 3 % 3), 2 * (n // 9)) for n in range(27))
+
+
+def require_formats(names):
+    assert list(names['settling'].TimestepValues) == [0, 0.001, 0.002]
+    assert fetch(names['settling']).GetNumberOfPoints() == 500
+    coordinates = fetch(names['coordinates'])
+    assert coordinates.GetPointData().GetArray('Radius').GetRange() == (0.5, 0.5) and coordinates.GetPoint(26) == (4, 4, 4)
+
+
 def require_particles(pack):
     data = fetch(pack)
     radius, kind, number = (data.GetPointData().GetArray(name) for name in ('Radius', 'Type', 'Id'))
@@ -101,6 +117,7 @@ def readme():
         if 'cell_box.csv' in block:
             require_files(names)
     require_particles(names['settled'])
+    require_formats(names)
     assert len(columns(names['cells'], 4)['Seed']) == 5
 
 
@@ -122,4 +139,5 @@ for file in os.listdir():
 link('bead_block.csv', 'Data', 'bead_block.csv')
 link('Data', 'Data')
 write_particles('particles.vtp')
+write_formats()
 run((readme, shortest_script))
