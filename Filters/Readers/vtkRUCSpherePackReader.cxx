@@ -120,6 +120,17 @@ int vtkRUCSpherePackReader::RequestInformation(
   return 1;
 }
 
+int vtkRUCSpherePackReader::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  // Filters of this plugin ask for no ghosts, and ParaView, on several ranks, for one level. As a
+  // pack has none, data made for the one serve the other, and no frame is read twice.
+  vtkInformation* info = outputs->GetInformationObject(0);
+  const auto levels = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS();
+  info->Set(levels, std::max(1, info->Get(levels)));
+  return 1;
+}
+
 int vtkRUCSpherePackReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {

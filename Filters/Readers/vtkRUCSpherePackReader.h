@@ -157,6 +157,8 @@ protected:
   ~vtkRUCSpherePackReader() override;
   int RequestInformation(
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override;
 
 private:

@@ -186,6 +186,28 @@ TEST(Formats, FramesAreTimeSteps)
   }
 }
 
+namespace
+{
+struct Counter
+{
+  void Count() { ++this->Number; }
+  int Number = 0;
+};
+}
+
+TEST(Formats, AFrameIsReadOnceWhoeverAsks)
+{
+  vtkNew<vtkRUCSpherePackReader> reader;
+  Counter runs;
+  reader->AddObserver(vtkCommand::StartEvent, &runs, &Counter::Count);
+  reader->SetFileName(DataFile("same_pack/lammps_frames.dump").c_str());
+  reader->UpdateInformation();
+  // The filters of this plugin ask for no ghosts, ParaView for a level of them
+  reader->UpdateTimeStep(0.001, Rank(), NumberOfRanks(), 0);
+  reader->UpdateTimeStep(0.001, Rank(), NumberOfRanks(), 1);
+  EXPECT_EQ(runs.Number, Rank() == 0 ? 1 : 0) << "rank 0 alone reads";
+}
+
 TEST(Formats, AFileThatGrowsIsScannedAgain)
 {
   const std::string name = "growing_np" + std::to_string(NumberOfRanks()) + ".dump";
