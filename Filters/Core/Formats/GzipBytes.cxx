@@ -47,7 +47,7 @@ public:
   }
 
 private:
-  std::size_t UnpackInto(char* buffer, std::size_t size);
+  std::size_t UnpackInto(char* buffer, std::size_t size); // from where unpacking has come to
   void Keep(const char* unpacked, std::size_t size);
   void Restart();
   bool Refill();          // false at the end of the packed bytes
@@ -123,8 +123,9 @@ std::size_t GzipBytes::UnpackInto(char* buffer, std::size_t size)
     this->Inflate.next_out = reinterpret_cast<unsigned char*>(buffer + done);
     this->Inflate.avail_out = room;
     const int status = inflate(&this->Inflate, Z_NO_FLUSH);
-    done += room - this->Inflate.avail_out;
-    this->UnpackedBytes += room - this->Inflate.avail_out;
+    const std::size_t unpacked = room - this->Inflate.avail_out;
+    this->Keep(buffer + done, unpacked);
+    done += unpacked;
     this->CheckSize();
     if (status == Z_STREAM_END)
     {
@@ -141,6 +142,8 @@ std::size_t GzipBytes::UnpackInto(char* buffer, std::size_t size)
 
 void GzipBytes::Keep(const char* unpacked, std::size_t size)
 {
+  this->UnpackedBytes += size;
+  this->At = this->UnpackedBytes;
   this->Last.append(unpacked, size);
   if (this->Last.size() > 2 * KeptBytes)
   {
@@ -154,10 +157,8 @@ std::size_t GzipBytes::Read(char* buffer, std::size_t size)
     static_cast<std::size_t>(std::min<std::uint64_t>(size, this->UnpackedBytes - this->At));
   std::memcpy(
     buffer, this->Last.data() + this->Last.size() - (this->UnpackedBytes - this->At), known);
-  const std::size_t unpacked = this->UnpackInto(buffer + known, size - known);
-  this->Keep(buffer + known, unpacked);
-  this->At += known + unpacked;
-  return known + unpacked;
+  this->At += known;
+  return known + this->UnpackInto(buffer + known, size - known);
 }
 
 void GzipBytes::Seek(std::uint64_t offset)

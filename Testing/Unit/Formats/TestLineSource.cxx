@@ -161,6 +161,20 @@ TEST(Gzip, FramesOneAfterTheOtherAreUnpackedOnce)
   EXPECT_EQ(starts, before + 1) << "back to the start, once";
 }
 
+TEST(Gzip, WhatIsBeforeAFaultCanBeReadAgain)
+{
+  const std::string text = LongText();
+  std::string cut = Packed(text);
+  cut.resize(cut.size() * 9 / 10);
+  const auto bytes = ruc::Unpack(std::make_unique<ruc::MemoryBytes>(cut));
+  std::vector<char> passed(text.size());
+  EXPECT_SAYS(bytes->Read(passed.data(), passed.size()), "The packed file ends early");
+  for (std::size_t offset : { 0u, 400000u, 700000u, 100000u })
+  {
+    EXPECT_EQ(ruc::ReadBytes(*bytes, offset, 5000), text.substr(offset, 5000)) << offset;
+  }
+}
+
 TEST(Gzip, Refusals)
 {
   const std::string text = LongText();
