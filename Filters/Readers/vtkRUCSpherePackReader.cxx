@@ -165,10 +165,7 @@ void vtkRUCSpherePackReader::Read(double time, vtkPolyData* output)
   const std::size_t n = file.FrameAt(time);
   const ruc::FramePack read =
     ruc::MakePack(this->Files->Read(this->FileName, n, settings), this->GetPackSettings());
-  for (const std::string& warning : read.Warnings)
-  {
-    vtkWarningMacro(<< warning);
-  }
+  this->Warn(read.Warnings);
   this->FillOutput(read, output);
   const std::vector<double> times = file.Times();
   if (!times.empty())
@@ -231,9 +228,22 @@ void vtkRUCSpherePackReader::Describe(const ruc::FramePack& read, const std::str
       " The " + read.Box->Describe() + " of the file is not periodic along all axes.";
   }
   vtkLog(INFO, << this->GetObjectDescription() << ": " << this->Summary);
-  for (const std::string& warning : overview.Warnings)
+  this->Warn(overview.Warnings);
+}
+
+void vtkRUCSpherePackReader::Warn(const std::vector<std::string>& warnings)
+{
+  if (this->WarnedAt != this->GetMTime())
   {
-    vtkWarningMacro(<< warning);
+    this->WarnedAt = this->GetMTime();
+    this->Warned.clear();
+  }
+  for (const std::string& warning : warnings)
+  {
+    if (this->Warned.insert(warning).second)
+    {
+      vtkWarningMacro(<< warning);
+    }
   }
 }
 

@@ -32,7 +32,9 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace ruc
 {
@@ -174,6 +176,8 @@ private:
   std::string UnitOf(const ruc::FramePack& read) const; // after scaling
   // `place` says which frame it is of how many
   void Describe(const ruc::FramePack& read, const std::string& place);
+  // Tells each warning once, and not again for every frame, until a property changes
+  void Warn(const std::vector<std::string>& warnings);
 
   std::unique_ptr<PackFiles> Files; // rank 0 alone
   vtkMultiProcessController* Controller = nullptr;
@@ -191,6 +195,8 @@ private:
   double BoxSize[3] = { 0.0, 0.0, 0.0 };
   int BoxPeriodic[3] = { 0, 0, 0 };
   std::string Summary;
+  std::set<std::string> Warned;
+  vtkMTimeType WarnedAt = 0;
 };
 
 #endif

@@ -208,6 +208,36 @@ TEST(Formats, AFrameIsReadOnceWhoeverAsks)
   EXPECT_EQ(runs.Number, Rank() == 0 ? 1 : 0) << "rank 0 alone reads";
 }
 
+TEST(Formats, FramesWarnOnce)
+{
+  const std::string name = "tilted_np" + std::to_string(NumberOfRanks()) + ".dump";
+  if (Rank() == 0)
+  {
+    std::ofstream file(name, std::ios::binary);
+    for (int step = 0; step < 3; ++step)
+    {
+      file << "ITEM: TIMESTEP\n"
+           << step
+           << "\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 12 2\n0 10 0\n0 "
+              "10 0\n"
+              "ITEM: ATOMS id type x y z radius\n1 1 1 2 3 1\n2 1 4 5 6 1\n";
+    }
+  }
+  vtkNew<vtkRUCSpherePackReader> reader;
+  const Warnings warnings(reader);
+  reader->SetFileName(name.c_str());
+  for (int step = 0; step < 3; ++step)
+  {
+    UpdateAt(reader, step);
+  }
+  ASSERT_EQ(warnings.Texts.size(), Rank() == 0 ? 1u : 0u);
+  if (Rank() == 0)
+  {
+    ExpectParts(warnings.Texts[0], { "The tilted cell is taken as the brick of its edges" });
+    std::remove(name.c_str());
+  }
+}
+
 TEST(Formats, AFileThatGrowsIsScannedAgain)
 {
   const std::string name = "growing_np" + std::to_string(NumberOfRanks()) + ".dump";
