@@ -93,9 +93,12 @@ ruc::PackFrame PackFiles::Read(
 {
   const PackFile& file = this->Known.at(name);
   const std::string folder = name.substr(0, name.find_last_of('/') + 1);
-  settings.Beside = [folder](const std::string& other)
+  const std::size_t point = name.find_last_of('.');
+  const std::string stem =
+    point == name.npos || point < folder.size() ? name : name.substr(0, point);
+  settings.Beside = [folder, stem](const std::string& other)
   {
-    const std::string beside = folder + other;
+    const std::string beside = (other[0] == '.' ? stem : folder) + other;
     return RegularFile::IsReadable(beside) ? RegularFile::Read(beside) : std::string();
   };
   Stream& stream = this->Open(name);

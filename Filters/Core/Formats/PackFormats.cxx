@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Formats/PackFormats.h"
 
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Formats/Fields.h"
 #include "ruc/Formats/Grammars/Grammars.h"
 #include "ruc/Formats/GzipBytes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -136,5 +139,38 @@ FramePack ReadPack(std::string_view bytes)
   const std::unique_ptr<ByteStream> unpacked = Unpack(std::make_unique<MemoryBytes>(bytes));
   const PackFormat& format = ChooseFormat(*unpacked, AutomaticFormat, {});
   return MakePack(ReadFrame(format, *unpacked, format.Scan(*unpacked), 0, {}), {});
+}
+
+const PackFormat& FormatOfExtension(std::string_view extension)
+{
+  std::string known;
+  const std::string wanted = Lower(extension);
+  for (const PackFormat* format : PackFormats())
+  {
+    Fields extensions;
+    SplitBlanks(format->Writer.Extensions, extensions);
+    if (std::find(extensions.begin(), extensions.end(), wanted) != extensions.end())
+    {
+      return *format;
+    }
+    for (std::string_view other : extensions)
+    {
+      known += Text(known.empty() ? "" : ", ", other);
+    }
+  }
+  throw std::invalid_argument(
+    Text("one of the extensions ", known, " is required, got ", Quote(extension), "."));
+}
+
+WrittenPack WritePack(
+  const PackFormat& format, const FramePack& pack, const WriteSettings& settings)
+{
+  Require(settings.Density > 0.0 && std::isfinite(settings.Density), "Density",
+    "a finite number > 0", settings.Density);
+  if (pack.Pack.Empty())
+  {
+    throw std::invalid_argument(NoSpheres);
+  }
+  return format.Writer.Write(pack, settings);
 }
 }

@@ -22,6 +22,7 @@
 #include "ruc/Formats/ByteStream.h"
 #include "ruc/Formats/FramePack.h"
 #include "ruc/Formats/PackFrame.h"
+#include "ruc/Formats/WrittenPack.h"
 
 #include <functional>
 #include <optional>
@@ -60,7 +61,7 @@ struct ReadSettings
   int SkipLines = 0;
   /**
    * Returns the text of the file of that name in the folder of this one, or nothing if there is
-   * none.
+   * none. An extension, such as ".nfo", stands for the name of this file with that extension.
    */
   std::function<std::string(const std::string& name)> Beside;
 };
@@ -81,6 +82,8 @@ struct PackFormat
   std::vector<FramePlace> (*Scan)(ByteStream& bytes);
   /** Reads the spheres of one frame. */
   PackFrame (*Read)(ByteStream& bytes, const FramePlace& place, const ReadSettings& settings);
+  /** How it is written; not all formats are. */
+  PackWriter Writer = {};
 };
 
 /** Returns all formats, in the order in which they are asked whether they recognise a file. */
@@ -118,4 +121,18 @@ std::vector<double> FrameTimes(const std::vector<FramePlace>& frames);
 
 /** Returns the first frame of the bytes of a file, whose format is told by its contents. */
 FramePack ReadPack(std::string_view bytes);
+
+/**
+ * Returns the format that is written to files with that extension, in upper or lower case. Throws
+ * std::invalid_argument, which lists the extensions, if there is none.
+ */
+const PackFormat& FormatOfExtension(std::string_view extension);
+
+/**
+ * Returns the bytes of a pack in a format that is written. Throws std::invalid_argument if the pack
+ * is empty, if the density is not finite and > 0, and if the format asks for a box that the pack
+ * does not have.
+ */
+WrittenPack WritePack(
+  const PackFormat& format, const FramePack& pack, const WriteSettings& settings);
 }

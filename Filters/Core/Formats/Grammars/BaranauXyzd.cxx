@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // .xyzd of Baranau's packing-generation (its README, ReadPackingScript.m): x y z d of every sphere,
-// little-endian, float64 or float32, and nothing else. The file packing.nfo beside it tells number,
-// box and two porosities. Diameters in the file are those from before the run: the true ones are
+// little-endian, float64 or float32, and nothing else. The file packing.nfo beside it, or one of
+// the name of the file, tells number, box and two porosities. Diameters in the file are those from
+// before the run: the true ones are
 // ((1 - final) / (1 - theoretical))^(1/3) times as large. Periodic, from 0 to the edges.
 #include "ruc/Base/Text.h"
 #include "ruc/Formats/Fields.h"
@@ -81,7 +82,8 @@ Companion ReadCompanion(const ReadSettings& settings)
   const auto beside = [&](const char* name)
   { return settings.Beside ? settings.Beside(name) : std::string(); };
   Companion companion;
-  std::string text = beside("packing.nfo");
+  std::string text = beside(".nfo");
+  text = text.empty() ? beside("packing.nfo") : text;
   const bool info = !text.empty();
   text = info ? text : beside("generation.conf");
   const std::vector<double> count = NumbersBehind(text, info ? "N:" : "Particles count:");
@@ -189,6 +191,50 @@ PackFrame Read(ByteStream& bytes, const FramePlace&, const ReadSettings& setting
   return frame;
 }
 
+void AppendReal(std::string& bytes, double value)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  for (int n = 0; n < 8; ++n)
+  {
+    bytes += static_cast<char>(bits >> (8 * n) & 0xff);
+  }
+}
+
+// With two equal porosities, the diameters of the file are the true ones
+WrittenPack Write(const FramePack& pack, const WriteSettings&)
+{
+  if (!pack.Box || !pack.Box->IsFullyPeriodic())
+  {
+    throw std::invalid_argument(Text("A box that is periodic along all axes is required, got ",
+      pack.Box ? "a " + pack.Box->Describe() : "none", "."));
+  }
+  const SpherePack& spheres = pack.Pack;
+  const Window& box = *pack.Box;
+  WrittenPack written;
+  double volume = 0.0;
+  for (std::size_t i = 0; i < spheres.Size(); ++i)
+  {
+    const Vector3 centre = spheres.Centre(i);
+    for (int q = 0; q < 3; ++q)
+    {
+      AppendReal(written.Bytes, centre[q] - box.Origin[q]);
+    }
+    AppendReal(written.Bytes, 2.0 * spheres.Radius[i]);
+    volume += 4.0 / 3.0 * Pi * std::pow(spheres.Radius[i], 3);
+  }
+  std::string& info = written.Info;
+  info = Text("N: ", spheres.Size(), "\nDimensions: ");
+  AppendNumbers(info, { box.Size[0], box.Size[1], box.Size[2] });
+  for (const char* porosity : { "\nTheoretical Porosity: ", "\nFinal Porosity: " })
+  {
+    info += porosity;
+    AppendNumber(info, 1.0 - volume / box.Volume());
+  }
+  info += "\n";
+  return written;
+}
+
 // No text, and nothing but numbers that can be coordinates
 bool Recognise(std::string_view begin)
 {
@@ -199,5 +245,5 @@ bool Recognise(std::string_view begin)
 }
 }
 
-const PackFormat BaranauXyzd = { "Baranau xyzd", Recognise, ScanOneFrame, Read };
+const PackFormat BaranauXyzd = { "Baranau xyzd", Recognise, ScanOneFrame, Read, { Write, "xyzd" } };
 }

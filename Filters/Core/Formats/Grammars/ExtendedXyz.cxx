@@ -247,6 +247,43 @@ PackFrame Read(ByteStream& bytes, const FramePlace& place, const ReadSettings&)
   return frame;
 }
 
+// The first four columns are those of a plain XYZ file
+WrittenPack Write(const FramePack& pack, const WriteSettings&)
+{
+  const SpherePack& spheres = pack.Pack;
+  WrittenPack written;
+  std::string& text = written.Bytes;
+  text = std::to_string(spheres.Size()) + "\n";
+  if (pack.Box)
+  {
+    const Window box = pack.Box->GetBounds();
+    text += "Lattice=\"";
+    AppendNumbers(text, { box.Size[0], 0, 0, 0, box.Size[1], 0, 0, 0, box.Size[2] });
+    text += "\" Origin=\"";
+    AppendNumbers(text, { box.Origin[0], box.Origin[1], box.Origin[2] });
+    text += "\" pbc=\"";
+    for (int q = 0; q < 3; ++q)
+    {
+      text += Text(q > 0 ? " " : "", box.Periodic[q] ? "T" : "F");
+    }
+    text += "\" ";
+  }
+  if (pack.Time)
+  {
+    text += "Time=";
+    AppendNumber(text, *pack.Time);
+    text += " ";
+  }
+  text += "Properties=type:I:1:pos:R:3:radius:R:1:id:I:1\n";
+  for (std::size_t i = 0; i < spheres.Size(); ++i)
+  {
+    text += std::to_string(TypeOf(pack, i)) + " ";
+    AppendNumbers(text, { spheres.X[i], spheres.Y[i], spheres.Z[i], spheres.Radius[i] });
+    text += " " + std::to_string(spheres.Id[i]) + "\n";
+  }
+  return written;
+}
+
 // A number, then a line that has one of the keys, or rows that begin with a name
 bool Recognise(std::string_view begin)
 {
@@ -267,5 +304,5 @@ bool Recognise(std::string_view begin)
 }
 }
 
-const PackFormat ExtendedXyz = { "extended XYZ", Recognise, Scan, Read };
+const PackFormat ExtendedXyz = { "extended XYZ", Recognise, Scan, Read, { Write, "extxyz", true } };
 }

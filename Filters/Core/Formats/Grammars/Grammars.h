@@ -22,6 +22,9 @@ extern const PackFormat YadeText;
 /** Returns the unit of length of a unit style of LAMMPS. It is empty for lj, which has none. */
 std::string LengthUnitOfStyle(std::string_view style);
 
+/** Returns the only unit style of LAMMPS with that unit of length, or an empty text. */
+std::string StyleOfLengthUnit(std::string_view unit);
+
 /** The Scan of formats that hold one frame. */
 inline std::vector<FramePlace> ScanOneFrame(ByteStream&)
 {

@@ -245,6 +245,33 @@ PackFrame Read(ByteStream& bytes, const FramePlace&, const ReadSettings&)
   return frame;
 }
 
+WrittenPack Write(const FramePack& pack, const WriteSettings& settings)
+{
+  const Window box = BoxOrBounds(pack);
+  const LammpsNumbers numbers(pack);
+  const SpherePack& spheres = pack.Pack;
+  const std::string style = StyleOfLengthUnit(pack.LengthUnit);
+  const int types = pack.Type.empty() ? 1 : *std::max_element(pack.Type.begin(), pack.Type.end());
+  WrittenPack written;
+  std::string& text = written.Bytes;
+  text = Text("Sphere pack", style.empty() ? "" : ", units = ", style, "\n\n", spheres.Size(),
+    " atoms\n", types + numbers.AddedToType, " atom types\n\n");
+  for (int q = 0; q < 3; ++q)
+  {
+    AppendNumbers(text, { box.Origin[q], box.Origin[q] + box.Size[q] });
+    text += Text(" ", "xyz"[q], "lo ", "xyz"[q], "hi\n");
+  }
+  text += "\nAtoms # sphere\n\n";
+  for (std::size_t i = 0; i < spheres.Size(); ++i)
+  {
+    text += numbers.Of(pack, i);
+    AppendNumbers(text,
+      { 2.0 * spheres.Radius[i], settings.Density, spheres.X[i], spheres.Y[i], spheres.Z[i] });
+    text += "\n";
+  }
+  return written;
+}
+
 bool Recognise(std::string_view begin)
 {
   bool atoms = false, bounds = false;
@@ -262,5 +289,5 @@ bool Recognise(std::string_view begin)
 }
 }
 
-const PackFormat LammpsData = { "LAMMPS data", Recognise, ScanOneFrame, Read };
+const PackFormat LammpsData = { "LAMMPS data", Recognise, ScanOneFrame, Read, { Write, "data" } };
 }

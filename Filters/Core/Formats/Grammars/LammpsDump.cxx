@@ -10,23 +10,41 @@
 #include "ruc/Formats/SphereRows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace ruc
 {
+namespace
+{
+constexpr std::pair<std::string_view, std::string_view> UnitsOfStyles[] = { { "si", "m" },
+  { "cgs", "cm" }, { "micro", "µm" }, { "nano", "nm" }, { "real", "Å" }, { "metal", "Å" },
+  { "electron", "Bohr" } };
+}
+
 std::string LengthUnitOfStyle(std::string_view style)
 {
-  static const std::pair<std::string_view, const char*> units[] = { { "si", "m" }, { "cgs", "cm" },
-    { "micro", "µm" }, { "nano", "nm" }, { "real", "Å" }, { "metal", "Å" },
-    { "electron", "Bohr" } };
-  for (const auto& [name, unit] : units)
+  for (const auto& [name, unit] : UnitsOfStyles)
   {
     if (style == name)
     {
-      return unit;
+      return std::string(unit);
     }
   }
   return {};
+}
+
+std::string StyleOfLengthUnit(std::string_view unit)
+{
+  std::string style;
+  for (const auto& [name, itsUnit] : UnitsOfStyles)
+  {
+    if (unit == itsUnit)
+    {
+      style = style.empty() ? std::string(name) : ""; // not where there are two
+    }
+  }
+  return style;
 }
 
 namespace
@@ -295,11 +313,49 @@ PackFrame Read(ByteStream& bytes, const FramePlace& place, const ReadSettings&)
   return frame;
 }
 
+// Without UNITS, which older programs do not know. A time that is no step has a section of its own.
+WrittenPack Write(const FramePack& pack, const WriteSettings&)
+{
+  const Window box = BoxOrBounds(pack);
+  const LammpsNumbers numbers(pack);
+  const double time = pack.Time.value_or(0.0);
+  const bool step = time == std::floor(time) && std::abs(time) < 1e15;
+  WrittenPack written;
+  std::string& text = written.Bytes;
+  if (!step)
+  {
+    text += "ITEM: TIME\n";
+    AppendNumber(text, time);
+    text += "\n";
+  }
+  text += Text("ITEM: TIMESTEP\n", step ? static_cast<std::int64_t>(time) : 0,
+    "\nITEM: NUMBER OF ATOMS\n", pack.Pack.Size(), "\nITEM: BOX BOUNDS");
+  for (bool periodic : box.Periodic)
+  {
+    text += periodic ? " pp" : " ff";
+  }
+  for (int q = 0; q < 3; ++q)
+  {
+    text += "\n";
+    AppendNumbers(text, { box.Origin[q], box.Origin[q] + box.Size[q] });
+  }
+  text += "\nITEM: ATOMS id type diameter x y z\n";
+  const SpherePack& spheres = pack.Pack;
+  for (std::size_t i = 0; i < spheres.Size(); ++i)
+  {
+    text += numbers.Of(pack, i);
+    AppendNumbers(text, { 2.0 * spheres.Radius[i], spheres.X[i], spheres.Y[i], spheres.Z[i] });
+    text += "\n";
+  }
+  return written;
+}
+
 bool Recognise(std::string_view begin)
 {
   return BeginsWith(begin.substr(std::min(begin.find_first_not_of(" \t\r\n"), begin.size())), Item);
 }
 }
 
-const PackFormat LammpsDump = { "LAMMPS dump", Recognise, Scan, Read };
+const PackFormat LammpsDump = { "LAMMPS dump", Recognise, Scan, Read,
+  { Write, "dump lammpstrj", true } };
 }

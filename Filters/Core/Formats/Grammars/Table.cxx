@@ -322,6 +322,27 @@ PackFrame Read(ByteStream& bytes, const FramePlace&, const ReadSettings& setting
   return TableReader(bytes, settings).Read();
 }
 
+// Modes, if there are any, have a column of their own, as only tables of this project have them
+WrittenPack Write(const FramePack& pack, const WriteSettings&)
+{
+  const SpherePack& spheres = pack.Pack;
+  const bool modes = !spheres.Mode.empty();
+  WrittenPack written;
+  std::string& text = written.Bytes;
+  text = Text("id,type,x,y,z,radius", modes ? ",mode" : "", "\n");
+  for (std::size_t i = 0; i < spheres.Size(); ++i)
+  {
+    text += std::to_string(spheres.Id[i]) + "," + std::to_string(TypeOf(pack, i));
+    for (double value : { spheres.X[i], spheres.Y[i], spheres.Z[i], spheres.Radius[i] })
+    {
+      text += ",";
+      AppendNumber(text, value);
+    }
+    text += (modes ? "," + std::to_string(spheres.Mode[i]) : std::string()) + "\n";
+  }
+  return written;
+}
+
 // A line with three numbers, with decimal commas or not
 bool Recognise(std::string_view begin)
 {
@@ -349,5 +370,5 @@ bool Recognise(std::string_view begin)
 }
 }
 
-const PackFormat Table = { "table", Recognise, ScanOneFrame, Read };
+const PackFormat Table = { "table", Recognise, ScanOneFrame, Read, { Write, "csv spheres" } };
 }

@@ -37,7 +37,22 @@ PackFrame Read(ByteStream& bytes, const FramePlace& place, const ReadSettings& s
   }
   return Table.Read(bytes, place, named);
 }
+
+WrittenPack Write(const FramePack& pack, const WriteSettings&)
+{
+  const SpherePack& spheres = pack.Pack;
+  WrittenPack written;
+  std::string& text = written.Bytes;
+  text = "#format id_x_y_z_r_matId\n";
+  for (std::size_t i = 0; i < spheres.Size(); ++i)
+  {
+    text += std::to_string(spheres.Id[i]) + " ";
+    AppendNumbers(text, { spheres.X[i], spheres.Y[i], spheres.Z[i], spheres.Radius[i] });
+    text += " " + std::to_string(TypeOf(pack, i)) + "\n";
+  }
+  return written;
+}
 }
 
-const PackFormat YadeText = { "YADE text", Recognise, ScanOneFrame, Read };
+const PackFormat YadeText = { "YADE text", Recognise, ScanOneFrame, Read, { Write, "yade txt" } };
 }
