@@ -159,8 +159,7 @@ std::optional<ruc::Window> FindWindowHere(vtkPointSet* input, const WindowProper
   return window || !properties.HasAny() ? window : WindowOfProperties(properties);
 }
 
-PackOrigin FindOrigin(vtkPointSet* input, const WindowProperties& properties,
-  const ruc::SpherePack& piece, RankCommunicator& ranks)
+std::optional<ruc::Window> FindOwnWindow(vtkPointSet* input, RankCommunicator& ranks)
 {
   std::vector<ruc::Window> own;
   ranks.Agree(
@@ -171,7 +170,6 @@ PackOrigin FindOrigin(vtkPointSet* input, const WindowProperties& properties,
         own.push_back(*window);
       }
     });
-  PackOrigin origin;
   const std::vector<ruc::Window> windows = ranks.Concatenate(own);
   for (const ruc::Window& window : windows)
   {
@@ -181,9 +179,16 @@ PackOrigin FindOrigin(vtkPointSet* input, const WindowProperties& properties,
         windows.front().Describe(), " and another ", window.Describe(), "."));
     }
   }
-  if (!windows.empty())
+  return windows.empty() ? std::nullopt : std::optional(windows.front());
+}
+
+PackOrigin FindOrigin(vtkPointSet* input, const WindowProperties& properties,
+  const ruc::SpherePack& piece, RankCommunicator& ranks)
+{
+  PackOrigin origin;
+  if (const std::optional<ruc::Window> window = FindOwnWindow(input, ranks))
   {
-    origin.Observed = windows.front();
+    origin.Observed = *window;
     origin.WindowSource = "Input";
     if (properties.HasAny() && !(WindowOfProperties(properties) == origin.Observed))
     {

@@ -56,6 +56,13 @@ struct WindowProperties
 std::optional<ruc::Window> FindWindowHere(vtkPointSet* input, const WindowProperties& properties);
 
 /**
+ * Returns the window in the field data of any rank, or nothing. Throws std::invalid_argument, the
+ * same on every rank, for fields that make no window and if ranks have different windows.
+ * Collective.
+ */
+std::optional<ruc::Window> FindOwnWindow(vtkPointSet* input, RankCommunicator& ranks);
+
+/**
  * Returns where the pack was observed, of which this rank has `piece`: by the field data of any
  * rank, else by the properties, else, with a warning, by the bounds of the centres. Throws
  * std::invalid_argument, the same on every rank, for fields and properties that make no window, if

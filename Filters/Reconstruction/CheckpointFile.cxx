@@ -2,23 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CheckpointFile.h"
 
+#include "NewFile.h"
 #include "RankCommunicator.h"
 #include "RegularFile.h"
 #include "ruc/Base/Text.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <exception>
-
-namespace
-{
-constexpr int MostNames = 100; // that are tried for a new file
-}
+#include <stdexcept>
 
 CheckpointFile::CheckpointFile(std::string name, double interval)
   : Name(std::move(name))
@@ -72,52 +66,15 @@ bool CheckpointFile::IsDue() const
 std::string CheckpointFile::Write(const std::string& bytes)
 {
   this->Last = std::chrono::steady_clock::now();
-  // Finds a name that nothing has yet, so that no file of somebody else is written to, nor one that
-  // a link leads to
-  std::string next;
-  int file = -1;
-  for (int number = 0; file < 0 && number < MostNames; ++number)
+  try
   {
-    next = ruc::Text(this->Name, ".new-", getpid(), "-", number);
-    file = open(next.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (file < 0 && errno != EEXIST)
-    {
-      break;
-    }
+    NewFile file(this->Name);
+    file.Append(bytes);
+    file.Keep();
   }
-  if (file < 0)
+  catch (const std::invalid_argument& e)
   {
-    return ruc::Text("cannot write '", next, "': ", std::strerror(errno));
-  }
-  int error = 0;
-  for (std::size_t done = 0; done < bytes.size() && error == 0;)
-  {
-    const ssize_t written = write(file, bytes.data() + done, bytes.size() - done);
-    if (written > 0)
-    {
-      done += written;
-    }
-    else if (errno != EINTR)
-    {
-      error = errno;
-    }
-  }
-  if (error == 0 && fsync(file) != 0)
-  {
-    error = errno;
-  }
-  if (close(file) != 0 && error == 0)
-  {
-    error = errno;
-  }
-  if (error == 0 && std::rename(next.c_str(), this->Name.c_str()) != 0)
-  {
-    error = errno;
-  }
-  if (error != 0)
-  {
-    unlink(next.c_str());
-    return ruc::Text("cannot write '", next, "': ", std::strerror(error));
+    return e.what();
   }
   return {};
 }

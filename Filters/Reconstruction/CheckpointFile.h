@@ -9,10 +9,8 @@
 class RankCommunicator;
 
 /**
- * A file that holds the last state of a search. Rank 0 writes and reads it. A new state goes to a
- * file of its own beside it, whose name is NAME.new- and a number that no file has yet. Once it is
- * on the disk, it takes the place of the old one; so, whatever happens meanwhile, the last good
- * state remains. A search that is killed while it writes may leave such a file behind.
+ * A file that holds the last state of a search. Rank 0 writes and reads it. A new state is a
+ * NewFile; so, whatever happens meanwhile, the last good state remains.
  */
 class CheckpointFile
 {

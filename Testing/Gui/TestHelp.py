@@ -27,6 +27,7 @@ FORMULAS = {
     'filters.PeriodicReplicas': 'x + (i L_x, j L_y, k L_z)',
     'filters.PointsToSpherePack': 'centre = Scale × point; Radius = Scale × a for an array a of radii',
     'sources.SpherePackReader': 'position = Scale × (x, y, z)',
+    'writers.SpherePackWriter': 'diameter = 2 × Radius',
 }
 BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.RadialDistribution')
 PROPERTIES = {'filters.DirectionalProbability': ['Number Of Directions', 'Number Of Lines', 'Seed'],
@@ -51,7 +52,7 @@ print(len(pages), 'pages')
 
 # A proxy without a formula here would go unseen
 failures = [name + ' has no formula here' for name in pages
-            if name.startswith(('filters.', 'sources.')) and name[:-len('.html')] not in FORMULAS]
+            if name.startswith(('filters.', 'sources.', 'writers.')) and name[:-len('.html')] not in FORMULAS]
 for proxy, formula in FORMULAS.items():
     page = pages.get(proxy + '.html')
     if page is None:

@@ -23,7 +23,7 @@ def printed(group, name):
 
 
 def ours():
-    for group in ('sources', 'filters'):
+    for group in ('sources', 'filters', 'writers'):
         iterator = definitions.NewSingleGroupIterator(group)
         iterator.InitTraversal()
         while not iterator.IsDoneWithTraversal():

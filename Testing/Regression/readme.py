@@ -117,6 +117,10 @@ def readme():
         if 'cell_box.csv' in block:
             require_files(names)
     require_particles(names['settled'])
+    for file in ('cell.dump', 'cell.data', 'cell_for_tables.csv'):
+        saved, again = ([(*data.GetPoint(i), data.GetPointData().GetArray('Radius').GetValue(i)) for i in range(data.GetNumberOfPoints())]
+                        for data in (fetch(names['cell']), fetch(SpherePackReader(FileName=[file]))))
+        assert sorted(again) == sorted(saved) and len(saved) == 1082, file
     require_formats(names)
     assert len(columns(names['cells'], 4)['Seed']) == 5
 
