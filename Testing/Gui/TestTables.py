@@ -40,6 +40,7 @@ two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=8)
 cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags=8, MaximumIterations=5)
 of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=8)
 sources = [modes, two_point, cell,
+           pv.PointsToSpherePack(Input=reader),
            pv.OnePointProbability(Input=modes),
            pv.DirectionalProbability(Input=modes, NumberOfLags=8, NumberOfDirections=2),
            pv.ProbabilityMap(Input=modes, Resolution=3),
