@@ -172,10 +172,10 @@ void vtkRUCSpherePackReader::Read(double time, vtkPolyData* output)
   {
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), times[n]);
   }
+  const std::size_t frames = file.Frames.size();
   this->Describe(read,
-    file.Frames.size() > 1
-      ? ruc::Text(", frame ", n + 1, " of ", file.Frames.size(), " at time ", times[n])
-      : "");
+    ruc::Text(frames > 1 ? ruc::Text(", frame ", n + 1, " of ", frames) : "",
+      times.empty() ? "" : ruc::Text(" at time ", times[n])));
 }
 
 void vtkRUCSpherePackReader::FillOutput(const ruc::FramePack& read, vtkPolyData* output)

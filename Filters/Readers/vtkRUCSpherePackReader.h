@@ -174,7 +174,7 @@ private:
   void Read(double time, vtkPolyData* output);
   void FillOutput(const ruc::FramePack& read, vtkPolyData* output);
   std::string UnitOf(const ruc::FramePack& read) const; // after scaling
-  // `place` says which frame it is of how many
+  // `place` says which frame it is of how many, and its time
   void Describe(const ruc::FramePack& read, const std::string& place);
   // Tells each warning once, and not again for every frame, until a property changes
   void Warn(const std::vector<std::string>& warnings);
