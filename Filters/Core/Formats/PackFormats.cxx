@@ -34,9 +34,23 @@ const std::vector<const PackFormat*>& PackFormats()
   return formats;
 }
 
+namespace
+{
+// Their rows of numbers look like those of tables
+bool IsVtkFile(std::string_view begin)
+{
+  return begin.rfind("# vtk DataFile", 0) == 0 || begin.rfind("<?xml", 0) == 0 ||
+    begin.rfind("<VTKFile", 0) == 0;
+}
+}
+
 const PackFormat* FindFormat(ByteStream& bytes)
 {
   const std::string begin = ReadBytes(bytes, 0, 4096);
+  if (IsVtkFile(begin))
+  {
+    return nullptr;
+  }
   for (const PackFormat* format : PackFormats())
   {
     if (format->Recognise(begin))
@@ -84,6 +98,11 @@ const PackFormat& ChooseFormat(
     return *format;
   }
   const std::string begin = ReadBytes(bytes, 0, 4096);
+  if (IsVtkFile(begin))
+  {
+    throw std::invalid_argument("A file of another program is required, got one of VTK: open it "
+                                "by ParaView's own reader, and apply Points To Sphere Pack.");
+  }
   if (!begin.empty() && FirstLines(begin, 1)[0].find('\0') != std::string_view::npos)
   {
     throw std::invalid_argument(Text("A file of one of these formats is required: ",

@@ -89,7 +89,7 @@ struct PackFormat
 /** Returns all formats, in the order in which they are asked whether they recognise a file. */
 const std::vector<const PackFormat*>& PackFormats();
 
-/** Returns the first format that recognises the file, or nullptr. */
+/** Returns the first format that recognises the file, or nullptr, as for files of VTK. */
 const PackFormat* FindFormat(ByteStream& bytes);
 
 /** The name that stands for FindFormat in ChooseFormat. */
@@ -101,7 +101,7 @@ constexpr const char* AutomaticFormat = "Automatic";
  * a table lacks.
  *
  * Throws std::invalid_argument, with the names of all formats, for another name and for a file of
- * bytes that no format recognises.
+ * bytes that no format recognises; and for files of VTK, which ParaView reads itself.
  */
 const PackFormat& ChooseFormat(
   ByteStream& bytes, const std::string& name, const ReadSettings& settings);

@@ -277,6 +277,12 @@ TEST(SamePackDetails, Tables)
   EXPECT_EQ(materials, TheTruth().Type);
   EXPECT_SAYS(pack("no_header_id_first.txt"),
     "Line 1: 5 columns without names: set Columns, such as id,x,y,z,r.");
+  for (const char* vtk : { "diameter.vtk", "liggghts_like_radius.vtp" })
+  {
+    EXPECT_SAYS(pack(vtk), "got one of VTK: open it by ParaView's own reader");
+    formats::FileBytes bytes(DataFile(std::string("same_pack/") + vtk));
+    EXPECT_EQ(ruc::FindFormat(bytes), nullptr);
+  }
   EXPECT_SAYS(pack("positions_only.csv"), "X is in mm, Diameter in um: one unit is required.");
   auto nameless = OpenFile(DataFile("same_pack/no_header_id_first.txt"));
   nameless.Settings.Columns = "id,x,y,z,r";
