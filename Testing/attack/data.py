@@ -40,7 +40,8 @@ def lattice():
 
 
 def build(pack, rank, ranks, point_set=vtkPolyData, precision=VTK_DOUBLE):
-    """The share of a pack that a rank gets. An array shorter than the points is given whole, so that it is too short on every rank."""
+    """The share of a pack that a rank gets. Too short an array is given whole, so that it is too short on every rank; what a longer one has
+    beyond the points stands behind every share."""
     count = len(pack['points'])
     share = slice(rank * count // ranks, (rank + 1) * count // ranks)
     data, points = point_set(), vtkPoints()
@@ -52,7 +53,11 @@ def build(pack, rank, ranks, point_set=vtkPolyData, precision=VTK_DOUBLE):
         data.SetDimensions(points.GetNumberOfPoints(), 1, 1)
     for name, values in pack.items():
         if name not in ('points', 'field'):
-            data.GetPointData().AddArray(array(name, values[share] if len(values) == count else values))
+            if len(values) == count:
+                values = values[share]
+            elif len(values) > count:
+                values = numpy.concatenate([values[share], values[count:]])
+            data.GetPointData().AddArray(array(name, values))
     for name, values in pack['field'].items():
         data.GetFieldData().AddArray(array(name, values))
     return data
@@ -168,7 +173,7 @@ PACKS = {
     'short Radius': pack(Radius=lambda a: a[:1]),
     'short Mode': pack(Mode=lambda a: a[:1]),
     'short Id': pack(Id=lambda a: a[:1]),
-    'long Radius': pack(Radius=lambda a: numpy.repeat(a, 2)),
+    'long Radius': pack(Radius=lambda a: numpy.concatenate([a, a])),
     'empty Radius': pack(Radius=lambda a: a[:0]),
     'no Radius': pack(Radius=None),
     'no Mode': pack(Mode=None),

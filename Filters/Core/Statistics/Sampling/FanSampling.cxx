@@ -233,6 +233,9 @@ void CheckFans(
   };
   require(settings.Throws >= 1 && settings.Throws <= MostThrows,
     "NumberOfThrows requires a number from 1 to 2147483648", settings.Throws);
+  require(!settings.WithErrors || settings.Throws >= 2,
+    "NumberOfThrows requires a number >= 2, without which no standard error is known",
+    settings.Throws);
   require(grid.Directions >= 2 && grid.Directions <= MostFanDirections,
     "NumberOfDirections requires a number from 2 to 512", grid.Directions);
   require(grid.Lags.Count >= 1 && grid.Lags.Count <= MostFanLags,

@@ -22,7 +22,7 @@ constexpr int MostFanDirections = 512;
 struct FanSettings
 {
   std::uint32_t Seed = 1;
-  std::int64_t Throws = 0; // from 1 to 2^31
+  std::int64_t Throws = 0; // from 1, or 2 with errors, to 2^31
   bool WithErrors = false; // standard errors, for more than twice the memory
 };
 

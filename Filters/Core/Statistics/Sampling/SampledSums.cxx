@@ -17,6 +17,7 @@ namespace ruc
 namespace
 {
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr int FewestSamples = 2;
 constexpr double MostSamples = 2147483648.0;
 
 RUC_VECTOR_CLONES
@@ -238,10 +239,10 @@ void CheckSampling(const SamplingSettings& settings, const SampleNames& names, i
 {
   Require(settings.TargetError >= 0.0 && std::isfinite(settings.TargetError), "TargetError",
     "a finite number >= 0", settings.TargetError);
-  if (settings.TargetError == 0.0 && settings.Samples < 1)
+  if (settings.TargetError == 0.0 && settings.Samples < FewestSamples)
   {
-    throw std::invalid_argument(
-      Text(names.Property, " requires a number >= 1, got ", settings.Samples, "."));
+    throw std::invalid_argument(Text(names.Property, " requires a number >= ", FewestSamples,
+      ", without which no standard error is known, got ", settings.Samples, "."));
   }
   if (settings.TargetError == 0.0 && settings.Samples > static_cast<std::int64_t>(MostSamples))
   {

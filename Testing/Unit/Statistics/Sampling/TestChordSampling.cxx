@@ -356,7 +356,7 @@ TEST(ChordSampling, RefusesBadInputOnAllRanks)
     {
       const SpherePack none;
       EXPECT_SAYS(ruc::SampleChords(none, 1, region, { 1.0, 2 }, { 1, 0, 0.0 }, ranks),
-        "NumberOfLines requires a number >= 1, got 0.");
+        "NumberOfLines requires a number >= 2, without which no standard error is known, got 0.");
       EXPECT_SAYS(ruc::SampleChords(none, 1, region, { 1.0, 21 }, { 1, 9, 0.0 }, ranks),
         "MaximumLag requires 0 < MaximumLag <= 20, got 21.");
       EXPECT_SAYS(ruc::SampleChordsAlong({}, none, 1, region, { 1.0, 2 }, { 1, 9, -2.0 }, ranks),

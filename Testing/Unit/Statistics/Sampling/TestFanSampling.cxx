@@ -225,6 +225,8 @@ TEST(FanSampling, RefusesBadInput)
   {
     Fans(none, 1, region, { { spacing, lags }, directions }, { { 0, 0, 0 } }, { 1, throws, false });
   };
+  EXPECT_SAYS(Fans(none, 1, periodic, { { 1.0, 2 }, 8 }, { { 0, 0, 0 } }, { 1, 1, true }),
+    "NumberOfThrows requires a number >= 2, without which no standard error is known, got 1.");
   EXPECT_SAYS(sample(periodic, 1.0, 2, 8, 0),
     "NumberOfThrows requires a number from 1 to 2147483648, got 0.");
   EXPECT_SAYS(sample(periodic, 1.0, 2, 8, -5), "NumberOfThrows requires");

@@ -182,7 +182,9 @@ TEST(SampledSums, RefusesBadSettings)
     ruc::Window::MakeBox({ 0, 0, 0 }, { 5, 6, 7 }, { false, false, false }), 0.0);
   const auto check = [&](SamplingSettings settings, int modes, ruc::LagGrid lags)
   { ruc::CheckSampling(settings, Names, modes, lags, region); };
-  EXPECT_SAYS(check({ 1, 0, 0.0 }, 1, { 1.0, 2 }), "NumberOfLines requires a number >= 1, got 0.");
+  EXPECT_SAYS(check({ 1, 0, 0.0 }, 1, { 1.0, 2 }),
+    "NumberOfLines requires a number >= 2, without which no standard error is known, got 0.");
+  EXPECT_SAYS(check({ 1, 1, 0.0 }, 1, { 1.0, 2 }), "NumberOfLines requires a number >= 2");
   EXPECT_SAYS(check({ 1, std::int64_t(1) << 32, 0.0 }, 1, { 1.0, 2 }),
     "NumberOfLines requires a number <= 2147483648, got 4294967296.");
   EXPECT_SAYS(
@@ -197,7 +199,7 @@ TEST(SampledSums, RefusesBadSettings)
   EXPECT_SAYS(check({ 1, 9, 0.0 }, 400, { 1e-3, 1000 }),
     "NumberOfLags requires at most 620 lags for 400 modes, got 1000.");
   check({ 1, 0, 0.1 }, 1, { 1.0, 4 });
-  check({ 1, 1, 0.0 }, 0, { 0.0, 0 });
+  check({ 1, 2, 0.0 }, 0, { 0.0, 0 });
 }
 
 TEST(SampledSums, BatchesHoldASixtyFourthOfTheSamples)

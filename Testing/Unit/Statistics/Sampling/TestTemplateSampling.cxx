@@ -113,5 +113,5 @@ TEST(TemplateSampling, RefusesBadInput)
   ruc::Communicator serial;
   EXPECT_SAYS(ruc::SampleTemplate({}, 1, SamplingRegion(oracle::PeriodicCube(5.0), 0.0), { 1.0, 2 },
                 { 1, 0, 0.0 }, serial),
-    "NumberOfThrows requires a number >= 1, got 0.");
+    "NumberOfThrows requires a number >= 2, without which no standard error is known, got 0.");
 }
