@@ -81,9 +81,10 @@ void ThreePointTables::FillLimits(const ruc::ThreePointProbability& probability,
   rows.Fill(checks, probability.HasErrors());
 }
 
-void ThreePointTables::FillThirdOrder(
+std::string ThreePointTables::FillThirdOrder(
   const ruc::ThreePointProbability& probability, vtkTable* table)
 {
+  std::string unknown;
   std::vector<std::string> phase;
   std::vector<double> fraction, zeta, eta, zetaError, etaError;
   for (std::size_t n = 0; n < probability.GetTriples().size(); ++n)
@@ -97,6 +98,10 @@ void ThreePointTables::FillThirdOrder(
     const ruc::ThirdOrderParameters errors = probability.ThirdOrderError(n);
     const double c = probability.Value(n, 0, 0, 0);
     const std::string name = ruc::PhaseName(phases.R, probability.GetModes());
+    if (!std::isfinite(parameters.Zeta))
+    {
+      unknown += (unknown.empty() ? "" : ", ") + name;
+    }
     for (bool rest : { false, true })
     {
       phase.push_back(rest ? "all but " + name : name);
@@ -116,4 +121,5 @@ void ThreePointTables::FillThirdOrder(
     PackData::AddColumn(table, "zeta_error", zetaError);
     PackData::AddColumn(table, "eta_error", etaError);
   }
+  return unknown;
 }

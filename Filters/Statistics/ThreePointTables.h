@@ -12,5 +12,7 @@ namespace ThreePointTables
 {
 void FillLimits(const ruc::ThreePointProbability& probability,
   const ruc::TwoPointProbability& twoPoint, vtkTable* curves, vtkTable* checks);
-void FillThirdOrder(const ruc::ThreePointProbability& probability, vtkTable* table);
+
+/** Returns the names of the phases whose parameters are not known, as "matrix, mode 2". */
+std::string FillThirdOrder(const ruc::ThreePointProbability& probability, vtkTable* table);
 }

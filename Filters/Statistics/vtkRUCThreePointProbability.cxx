@@ -152,7 +152,14 @@ void vtkRUCThreePointProbability::Execute(
   {
     ThreePointTables::FillLimits(probability, twoPoint, vtkTable::GetData(outputs, LIMITS),
       vtkTable::GetData(outputs, CHECKS));
-    ThreePointTables::FillThirdOrder(probability, vtkTable::GetData(outputs, THIRD_ORDER));
+    const std::string unknown =
+      ThreePointTables::FillThirdOrder(probability, vtkTable::GetData(outputs, THIRD_ORDER));
+    if (!unknown.empty())
+    {
+      vtkWarningMacro(<< "zeta and eta are not known for: " << unknown
+                      << ". They require an even NumberOfDirections >= 8, a NumberOfLags >= 2, and "
+                         "throws of which some are in the phase and some are not.");
+    }
   }
   OutputSummary::ForEachOutput(outputs,
     [&](vtkDataObject* data)

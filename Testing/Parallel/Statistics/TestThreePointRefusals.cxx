@@ -1,16 +1,31 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Settings and masks that Three-Point Probability refuses
+// Settings and masks that Three-Point Probability refuses or warns of
 #include "Refusals.h"
 
 #include "vtkRUCThreePointProbability.h"
 
+#include <algorithm>
 #include <limits>
 
 using ThreePoint = vtkRUCThreePointProbability;
 
 namespace
 {
+// How often Three-Point Probability says that it knows no zeta
+std::size_t WordsOnZeta(int throws, int directions)
+{
+  vtkNew<ThreePoint> filter;
+  filter->SetInputData(MakePolyData(FewSizes(), Edge, true, IsMine));
+  filter->SetNumberOfLags(8);
+  filter->SetNumberOfThrows(throws);
+  filter->SetNumberOfDirections(directions);
+  const Warnings warnings(filter);
+  filter->Update();
+  return std::count_if(warnings.Texts.begin(), warnings.Texts.end(),
+    [](const std::string& text) { return text.find("zeta and eta are not known") != text.npos; });
+}
+
 void ExpectRefused(const std::vector<std::string>& parts,
   const std::function<void(ThreePoint*)>& spoil, bool periodic = true)
 {
@@ -123,4 +138,12 @@ TEST(ThreePointRefusals, MaskThatMissesThePack)
       vtkImageData::SafeDownCast(f->GetInputDataObject(1, 0))->SetOrigin(100.0, 0.0, 0.0);
     },
     false);
+}
+
+// One point is in a phase or is not, so that c (1 - c) is 0
+TEST(ThreePointRefusals, ParametersThatAreNotKnownAreTold)
+{
+  EXPECT_EQ(WordsOnZeta(1, 8), Rank() == 0 ? 1u : 0u);
+  EXPECT_EQ(WordsOnZeta(100, 5), Rank() == 0 ? 1u : 0u);
+  EXPECT_EQ(WordsOnZeta(100, 8), 0u);
 }
