@@ -23,6 +23,12 @@ ruc::LagGrid FindLags(double maximum, int count, const ruc::PackFigures& pack, b
 ruc::Estimate OfPack(const ruc::PackFigures& pack, double maximum, const ruc::LagGrid& lags);
 
 /**
+ * Returns what it takes until ParaView knows `tables` tables with a column for every pair of
+ * phases, which is more than the functions take for hundreds of modes.
+ */
+ruc::Estimate OfTables(const ruc::PackFigures& pack, int tables);
+
+/**
  * Returns the number of samples that the settings ask for, or none where there can be no such
  * samples. It is not a number where a TargetError is asked for, so that only samples tell it: the
  * memory is known then, but not the time.

@@ -154,6 +154,7 @@ std::optional<ruc::Estimate> vtkRUCTwoPointProbability::MakeEstimate()
   const ruc::LagGrid lags = StatisticsEstimate::FindLags(
     this->MaximumLag, this->NumberOfLags, *pack, this->Method == EXACT_PAIR_SUM);
   ruc::Estimate estimate = StatisticsEstimate::OfPack(*pack, this->MaximumLag, lags);
+  estimate += StatisticsEstimate::OfTables(*pack, 3);
   if (this->Method == EXACT_PAIR_SUM)
   {
     estimate += ruc::EstimatePairSum(*pack, lags);
