@@ -9,6 +9,7 @@
 #include "RankCommunicator.h"
 #include "StatisticsEstimate.h"
 #include "TwoPointTables.h"
+#include "ruc/Base/Text.h"
 #include "ruc/Statistics/PairSums/RadialDistribution.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 
@@ -16,6 +17,9 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
+
+#include <cmath>
+#include <string>
 
 vtkStandardNewMacro(vtkRUCRadialDistribution);
 
@@ -40,6 +44,19 @@ void vtkRUCRadialDistribution::Execute(
   if (ranks.Rank() == 0)
   {
     TwoPointTables::FillRadialDistribution(distribution, table);
+    std::string unknown;
+    for (int r = 0; r < distribution.Modes; ++r)
+    {
+      // With itself only: a mode has at least one centre
+      if (std::isnan(distribution.Values[distribution.PairOf(r, r)].back()))
+      {
+        unknown += ruc::Text(unknown.empty() ? "" : ", ", "g_", r + 1, "_", r + 1);
+      }
+    }
+    if (!unknown.empty())
+    {
+      vtkWarningMacro(<< unknown << " require two or more centres of the mode and are not known.");
+    }
   }
   OutputSummary::AddLags(table, lags);
   PackData::AddPackSummary(

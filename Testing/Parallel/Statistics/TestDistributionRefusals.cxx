@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Settings that directions, maps, chord lengths and the radial distribution refuse
+// Settings that directions, maps, chord lengths and the radial distribution refuse or warn of
 #include "Refusals.h"
 
 #include "vtkRUCChordLengths.h"
 #include "vtkRUCDirectionalProbability.h"
 #include "vtkRUCProbabilityMap.h"
 #include "vtkRUCRadialDistribution.h"
+
+#include "ruc/Base/Text.h"
+
+#include <algorithm>
 
 using Directional = vtkRUCDirectionalProbability;
 using Map = vtkRUCProbabilityMap;
@@ -76,6 +80,28 @@ TEST(RadialDistributionRefusals, LagsOutOfRange)
     false);
   RefusesSettings<Radial>({ "Radial Distribution", "NumberOfLags requires", "got 0" },
     [](Radial* f) { f->SetNumberOfLags(0); });
+}
+
+// The only sphere of its mode is no neighbour of itself
+TEST(RadialDistributionRefusals, AModeOfOneSphereIsTold)
+{
+  ruc::SpherePack pack = FewSizes();
+  const int alone = 1 + *std::max_element(pack.Mode.begin(), pack.Mode.end());
+  const auto warned = [](const ruc::SpherePack& spheres)
+  {
+    vtkNew<Radial> filter;
+    filter->SetInputData(MakePolyData(spheres, Edge, true, IsMine));
+    filter->SetNumberOfLags(8);
+    const Warnings warnings(filter);
+    filter->Update();
+    return warnings.Texts;
+  };
+  EXPECT_TRUE(warned(pack).empty());
+  pack.Mode[0] = alone;
+  const std::vector<std::string> texts = warned(pack);
+  ASSERT_EQ(texts.size(), Rank() == 0 ? 1u : 0u);
+  const std::string name = ruc::Text("g_", alone, "_", alone, " require");
+  EXPECT_TRUE(texts.empty() || texts[0].find(name) != std::string::npos);
 }
 
 TEST(ChordLengthRefusals, NoLines)
