@@ -6,6 +6,7 @@
 #include "ruc/Base/Vector3.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ruc
@@ -51,6 +52,57 @@ void ClipToSlab(double position, double slope, double low, double high, double& 
   begin = std::max(begin, std::min(t0, t1));
   end = std::min(end, std::max(t0, t1));
 }
+}
+
+namespace
+{
+// A box seen along lines that start at origin + i axisI + j axisJ, with the axes across each other:
+// of a thin box only few of the places in the disc around it are to be looked at
+class BoxOnLattice
+{
+public:
+  BoxOnLattice(const Window& box, const Vector3& origin, const Vector3& axisI, const Vector3& axisJ)
+  {
+    const double i2 = Dot(axisI, axisI), j2 = Dot(axisJ, axisJ);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      Vector3 from;
+      for (int q = 0; q < 3; ++q)
+      {
+        from[q] = box.Origin[q] + (corner >> q & 1) * box.Size[q] - origin[q];
+      }
+      this->Corners[corner] = { Dot(from, axisI) / i2, Dot(from, axisJ) / j2 };
+    }
+  }
+
+  // The first and the last j in [-last, last] on the part of the box between the rows beside i
+  std::array<int, 2> PlacesInRow(int i, int last) const
+  {
+    double low = last + 1.0, high = -last - 1.0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      for (int q = 0; q < 3; ++q)
+      {
+        const auto &a = this->Corners[corner & ~(1 << q)], &b = this->Corners[corner | 1 << q];
+        if (std::min(a[0], b[0]) <= i + 1.0 && std::max(a[0], b[0]) >= i - 1.0)
+        {
+          for (double row : { i - 1.0, i + 1.0 })
+          {
+            const double share = a[0] == b[0] ? row > i : (row - a[0]) / (b[0] - a[0]);
+            const double j = a[1] + std::clamp(share, 0.0, 1.0) * (b[1] - a[1]);
+            low = std::min(low, j);
+            high = std::max(high, j);
+          }
+        }
+      }
+    }
+    return { static_cast<int>(std::max(std::floor(low), -1.0 * last)),
+      static_cast<int>(std::min(std::ceil(high), 1.0 * last)) };
+  }
+
+private:
+  std::array<std::array<double, 2>, 8> Corners; // i and j
+};
 }
 
 SamplingRegion::SamplingRegion(const Window& window, double margin)
@@ -211,10 +263,12 @@ LineBundle SamplingRegion::ParallelLinesAlong(const Vector3& direction, std::uin
   const int last = static_cast<int>(reach) + 1;
   LineBundle bundle(this->Bounds, direction, origin, axisI, axisJ, { -last, -last },
     { 2 * last + 1, 2 * last + 1 });
+  const BoxOnLattice box(this->Bounds, origin, axisI, axisJ);
   std::vector<LineInterval> inside;
   for (int i = -last; i <= last; ++i)
   {
-    for (int j = -last; j <= last; ++j)
+    const std::array<int, 2> row = box.PlacesInRow(i, last);
+    for (int j = row[0]; j <= row[1]; ++j)
     {
       if (std::hypot(i + v[0], j + v[1]) <= reach)
       {

@@ -204,6 +204,31 @@ TEST(SamplingRegion, ParallelLinesCoverEveryPlaceAlike)
   ExpectMean(lines, 9.0 * ((2.0 * 35.0 + 28.0 + 2.0 * 20.0) / 3.0) / (0.5 * (35.0 + 28.0 + 20.0)));
 }
 
+// Every place of the lattice is tried, far beyond the disc around the region
+TEST(SamplingRegion, NoParallelLineIsMissed)
+{
+  for (const Vector3& size : { Vector3{ 4, 5, 7 }, { 300, 2, 3 }, { 1, 200, 200 } })
+  {
+    const SamplingRegion box(Window::MakeBox({ -1, 2, 3 }, size, { false, false, false }), 0.25);
+    for (std::uint32_t n = 0; n < 30; ++n)
+    {
+      const LineBundle bundle = n == 0 ? box.ParallelLinesAlong({ 0, 1, 0 }, 0, 1, n, 30.0, 1.0)
+                                       : box.ParallelLines(2, n, 30.0, 1.0);
+      std::size_t lines = 0;
+      std::vector<ruc::LineInterval> inside;
+      for (int i = -200; i <= 200; ++i)
+      {
+        for (int j = -200; j <= 200; ++j)
+        {
+          box.Clip(bundle.StartOf(i, j), bundle.Direction, 1000.0, inside);
+          lines += !inside.empty();
+        }
+      }
+      EXPECT_EQ(bundle.Lines.size(), lines);
+    }
+  }
+}
+
 TEST(SamplingRegion, LinesAreCutWherePointsLeaveIt)
 {
   oracle::Uniform random(12);
