@@ -29,7 +29,7 @@ ruc::Estimate StatisticsEstimate::OfPack(
 
 ruc::Estimate StatisticsEstimate::OfTables(const ruc::PackFigures& pack, int tables)
 {
-  constexpr double secondsPerColumn = 5e-5; // for its range and name
+  constexpr double secondsPerColumn = 6e-5; // for its range and name
   const double phases = pack.Modes + 1.0;
   return { tables * 0.5 * phases * (phases + 1.0) * secondsPerColumn, 0.0, 0.0 };
 }

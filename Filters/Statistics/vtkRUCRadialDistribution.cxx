@@ -73,6 +73,7 @@ std::optional<ruc::Estimate> vtkRUCRadialDistribution::MakeEstimate()
   const ruc::LagGrid lags =
     StatisticsEstimate::FindLags(this->MaximumLag, this->NumberOfLags, *pack, true);
   ruc::Estimate estimate = StatisticsEstimate::OfPack(*pack, this->MaximumLag, lags);
+  estimate += StatisticsEstimate::OfTables(*pack, 1);
   estimate += ruc::EstimateRadialDistribution(*pack, lags);
   return estimate;
 }

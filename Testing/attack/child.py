@@ -251,6 +251,9 @@ def attack(case, description, parent):
     estimates = [proxy.GetProperty(name) for name in ('EstimatedTime', 'EstimatedMemory')]
     say('ESTIMATE', [found.GetElement(0) if found else None for found in estimates])
     proxy.UpdatePipeline()
+    for port in range(proxy.GetNumberOfOutputPorts()):
+        proxy.GetDataInformation(port)
+    say('UPDATED', None)  # what comes now is the attack's own work
     found = outcome(proxy)
     say('RESULT', {'sizes': [size for size, _ in found.values()], 'digest': repr(found), 'suspicious': suspicious(proxy),
                    'memory': memory('VmHWM') - before, 'changed': files.changed()})
