@@ -44,7 +44,8 @@ void Prepare(vtkRUCChordLengths* filter)
 }
 void Prepare(vtkRUCThreePointProbability* filter)
 {
-  filter->SetNumberOfThrows(20);
+  // Enough to meet every phase
+  filter->SetNumberOfThrows(200);
   filter->SetNumberOfLags(4);
 }
 void Prepare(vtkRUCProbabilityMap* filter)
