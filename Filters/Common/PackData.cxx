@@ -174,6 +174,7 @@ PackPiece FindPiece(vtkPointSet* input, const WindowProperties& properties, bool
   ruc::SpherePack spheres;
   ranks.Agree([&]() { spheres = ReadPack(input, withModes); });
   LeavePointsOut(spheres, leastDiameter);
+  const bool crop = properties.Crop || TakesFoundWindow(input, properties, ranks);
   PackOrigin origin;
   ruc::CheckedPiece piece(
     std::move(spheres), withModes,
@@ -182,7 +183,7 @@ PackPiece FindPiece(vtkPointSet* input, const WindowProperties& properties, bool
       origin = FindOrigin(input, properties, own, ranks);
       return origin.Observed;
     },
-    properties.Crop, ranks);
+    crop, ranks);
   WarnOfPlaces(piece, ranks, origin.Warnings);
   return { origin, std::move(piece) };
 }

@@ -42,7 +42,8 @@ struct SharedPack : PackOrigin
 /**
  * Returns this rank's piece of the pack and the window of the whole pack (FindOrigin). `Mode` is
  * required and read only `withModes`. Points with a radius from 0 to less than ruc::LeastLength are
- * left out if their diameter is below `leastDiameter`. The warnings tell of centres that were moved
+ * left out if their diameter is below `leastDiameter`. Spheres outside a window that was found
+ * (TakesFoundWindow) are left out as well. The warnings tell of centres that were moved
  * into a periodic box, and of a window that the centres do not fill. Collective.
  *
  * Throws std::invalid_argument, the same on every rank, where an array is missing or not of the

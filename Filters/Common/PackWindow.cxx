@@ -5,6 +5,7 @@
 #include "RankCommunicator.h"
 #include "ResultData.h"
 #include "ruc/Base/Text.h"
+#include "ruc/Particles/FoundWindow.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -66,6 +67,12 @@ std::optional<ruc::Window> WindowOfFields(vtkFieldData* fields)
     return ruc::Window::MakeCylinder(place, axis, radius, height);
   }
   return {};
+}
+
+std::string ReadText(vtkDataObject* data, const char* name)
+{
+  vtkAbstractArray* text = data ? data->GetFieldData()->GetAbstractArray(name) : nullptr;
+  return text && text->GetNumberOfValues() > 0 ? text->GetVariantValue(0).ToString() : "";
 }
 
 std::optional<ruc::Window> WindowOfFields(vtkPointSet* input)
@@ -153,10 +160,30 @@ bool WindowProperties::HasAny() const
   return this->HasBox() || this->HasCylinder();
 }
 
+namespace
+{
+// Whether a window that was found gives way to what the filter has
+bool GivesWay(const WindowProperties& properties)
+{
+  return properties.HasAny() || properties.Masked;
+}
+}
+
 std::optional<ruc::Window> FindWindowHere(vtkPointSet* input, const WindowProperties& properties)
 {
   const std::optional<ruc::Window> window = WindowOfFields(input);
-  return window || !properties.HasAny() ? window : WindowOfProperties(properties);
+  if (window && !(GivesWay(properties) && ruc::IsFoundSource(ReadText(input, "WindowSource"))))
+  {
+    return window;
+  }
+  return properties.HasAny() ? std::optional(WindowOfProperties(properties)) : std::nullopt;
+}
+
+bool TakesFoundWindow(
+  vtkPointSet* input, const WindowProperties& properties, RankCommunicator& ranks)
+{
+  return ruc::IsFoundSource(ranks.FirstText(ReadText(input, "WindowSource"))) &&
+    !GivesWay(properties);
 }
 
 std::optional<ruc::Window> FindOwnWindow(vtkPointSet* input, RankCommunicator& ranks)
@@ -186,10 +213,13 @@ PackOrigin FindOrigin(vtkPointSet* input, const WindowProperties& properties,
   const ruc::SpherePack& piece, RankCommunicator& ranks)
 {
   PackOrigin origin;
-  if (const std::optional<ruc::Window> window = FindOwnWindow(input, ranks))
+  const std::optional<ruc::Window> window = FindOwnWindow(input, ranks);
+  const std::string source = ranks.FirstText(ReadText(input, "WindowSource"));
+  const bool found = window && ruc::IsFoundSource(source);
+  if (window && !(found && GivesWay(properties)))
   {
     origin.Observed = *window;
-    origin.WindowSource = "Input";
+    origin.WindowSource = found ? source : "Input";
     if (properties.HasAny() && !(WindowOfProperties(properties) == origin.Observed))
     {
       origin.Warnings.push_back(
@@ -216,9 +246,7 @@ PackOrigin FindOrigin(vtkPointSet* input, const WindowProperties& properties,
 
 std::string FindLengthUnit(vtkDataObject* data, RankCommunicator& ranks)
 {
-  vtkAbstractArray* unit = data ? data->GetFieldData()->GetAbstractArray("LengthUnit") : nullptr;
-  return ranks.FirstText(
-    unit && unit->GetNumberOfValues() > 0 ? unit->GetVariantValue(0).ToString() : "");
+  return ranks.FirstText(ReadText(data, "LengthUnit"));
 }
 
 void AddWindow(vtkDataObject* data, const ruc::Window& window)
@@ -240,6 +268,20 @@ void AddWindow(vtkDataObject* data, const ruc::Window& window)
       data, "BoxSize", std::vector<double>{ window.Size[0], window.Size[1], window.Size[2] });
     AddField(data, "BoxPeriodic",
       std::vector<long long>{ window.Periodic[0], window.Periodic[1], window.Periodic[2] });
+  }
+}
+
+void AddFoundWindow(vtkDataObject* data, const ruc::FoundWindow& found)
+{
+  if (found.Observed)
+  {
+    AddWindow(data, *found.Observed);
+    AddField(data, "WindowSource", found.Source);
+  }
+  if (!found.Faces.empty())
+  {
+    AddField(data, "FaceKinds", found.Faces);
+    AddField(data, "WindowErosion", std::vector<double>{ found.Erosion });
   }
 }
 

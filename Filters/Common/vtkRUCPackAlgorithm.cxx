@@ -89,7 +89,7 @@ void vtkRUCPackAlgorithm::RequireMemory(double megabytes, RankCommunicator& rank
   }
 }
 
-PackData::WindowProperties vtkRUCPackAlgorithm::GetWindowProperties() const
+PackData::WindowProperties vtkRUCPackAlgorithm::GetWindowProperties()
 {
   PackData::WindowProperties properties;
   std::copy_n(this->BoxOrigin, 3, properties.BoxOrigin);

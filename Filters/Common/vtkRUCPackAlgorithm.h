@@ -129,7 +129,7 @@ protected:
   void Execute(
     vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks) override;
 
-  PackData::WindowProperties GetWindowProperties() const;
+  virtual PackData::WindowProperties GetWindowProperties();
 
   ///@{
   /**

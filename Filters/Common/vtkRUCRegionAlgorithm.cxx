@@ -40,6 +40,13 @@ int vtkRUCRegionAlgorithm::FillInputPortInformation(int port, vtkInformation* in
   return 1;
 }
 
+PackData::WindowProperties vtkRUCRegionAlgorithm::GetWindowProperties()
+{
+  PackData::WindowProperties properties = this->Superclass::GetWindowProperties();
+  properties.Masked = this->HasMask();
+  return properties;
+}
+
 bool vtkRUCRegionAlgorithm::HasMask()
 {
   return this->GetNumberOfInputConnections(1) > 0;

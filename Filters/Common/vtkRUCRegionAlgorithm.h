@@ -80,6 +80,8 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
   bool HasMask();
+  /** Tells of the mask, too. */
+  PackData::WindowProperties GetWindowProperties() override;
 
   /** Returns the memory of the mask, which every rank holds while a region is made of it. */
   ruc::Estimate EstimateRegion() override;

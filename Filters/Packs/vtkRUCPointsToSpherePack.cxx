@@ -11,6 +11,7 @@
 #include "ruc/Base/Require.h"
 #include "ruc/Formats/FramePack.h"
 #include "ruc/Formats/TableColumns.h"
+#include "ruc/Particles/FoundWindow.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -331,6 +332,42 @@ void vtkRUCPointsToSpherePack::AddIds(
   points->GetPointData()->AddArray(ids);
 }
 
+void vtkRUCPointsToSpherePack::AddFoundWindow(vtkPolyData* points, RankCommunicator& ranks)
+{
+  const PackData::WindowProperties properties = this->GetWindowProperties();
+  bool known = true;
+  ranks.Agree([&]() { known = PackData::FindWindowHere(points, properties).has_value(); });
+  if (!this->FindWindow || !ranks.All(!known))
+  {
+    return;
+  }
+  ruc::SpherePack piece;
+  vtkDataArray* radius = points->GetPointData()->GetArray("Radius");
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    const double r = radius->GetTuple1(i);
+    if (r >= 0.0 && r < ruc::LeastLength)
+    {
+      continue; // it is left out
+    }
+    double centre[3];
+    points->GetPoint(i, centre);
+    piece.X.push_back(centre[0]);
+    piece.Y.push_back(centre[1]);
+    piece.Z.push_back(centre[2]);
+    piece.Radius.push_back(r);
+  }
+  ruc::WindowChoices choices;
+  choices.Erosion = this->WindowErosion;
+  choices.Faces = this->FaceKinds;
+  const ruc::FoundWindow window = ruc::FindWindow(piece, std::nullopt, choices, ranks);
+  PackData::AddFoundWindow(points, window);
+  for (std::size_t n = 0; ranks.Rank() == 0 && n < window.Warnings.size(); ++n)
+  {
+    vtkWarningMacro(<< window.Warnings[n]);
+  }
+}
+
 void vtkRUCPointsToSpherePack::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
@@ -341,6 +378,7 @@ void vtkRUCPointsToSpherePack::Execute(
   const std::vector<std::string> typeNames = AddTypes(arrays.Type, points, ranks);
   this->AddRadii(arrays, typeNames, points, ranks);
   this->AddIds(arrays, points, ranks);
+  this->AddFoundWindow(points, ranks);
   const PackData::PackPiece pack = this->FindPiece(points, false, ranks, 3.0 * ruc::LeastLength);
 
   vtkPolyData* output = vtkPolyData::GetData(outputs);
@@ -390,4 +428,7 @@ void vtkRUCPointsToSpherePack::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TypeArray: " << this->TypeArray << "\n";
   os << indent << "Scale: " << this->Scale << "\n";
   os << indent << "LengthUnit: " << this->LengthUnit << "\n";
+  os << indent << "FindWindow: " << this->FindWindow << "\n";
+  os << indent << "WindowErosion: " << this->WindowErosion << "\n";
+  os << indent << "FaceKinds: " << this->FaceKinds << "\n";
 }

@@ -97,6 +97,31 @@ public:
   vtkSetStdStringFromCharMacro(LengthUnit);
   vtkGetCharFromStdStringMacro(LengthUnit);
   ///@}
+  ///@{
+  /**
+   * Whether a window is looked for (ruc::FindWindow) if neither the input nor properties tell one.
+   * Spheres with centres outside it stay in the output; filters leave them out
+   * (PackData::FindOrigin). Default: on.
+   */
+  vtkSetMacro(FindWindow, bool);
+  vtkGetMacro(FindWindow, bool);
+  ///@}
+  ///@{
+  /**
+   * How far that window stays away from walls and loose faces, in largest diameters
+   * (ruc::WindowChoices). Default: -1; a negative number is automatic.
+   */
+  vtkSetMacro(WindowErosion, double);
+  vtkGetMacro(WindowErosion, double);
+  ///@}
+  ///@{
+  /**
+   * What faces of the pack are, such as "z-=wall; z+=cut; mantle=none" (ruc::WindowChoices).
+   * Default: empty; then it is found.
+   */
+  vtkSetStdStringFromCharMacro(FaceKinds);
+  vtkGetCharFromStdStringMacro(FaceKinds);
+  ///@}
 
 protected:
   vtkRUCPointsToSpherePack() = default;
@@ -124,6 +149,8 @@ private:
   void AddRadii(const Arrays& arrays, const std::vector<std::string>& typeNames,
     vtkPolyData* points, RankCommunicator& ranks);
   void AddIds(const Arrays& arrays, vtkPolyData* points, RankCommunicator& ranks);
+  // Adds the fields of a window that is found, if none is known. Collective
+  void AddFoundWindow(vtkPolyData* points, RankCommunicator& ranks);
 
   std::string RadiusArray = FindByName;
   bool RadiusIsDiameter = false;
@@ -133,6 +160,9 @@ private:
   std::string TypeArray = FindByName;
   double Scale = 1.0;
   std::string LengthUnit;
+  bool FindWindow = true;
+  double WindowErosion = -1.0;
+  std::string FaceKinds;
 };
 
 #endif

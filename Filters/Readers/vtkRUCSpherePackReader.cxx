@@ -7,7 +7,9 @@
 #include "RankCommunicator.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Formats/GzipBytes.h"
+#include "ruc/Particles/FoundWindow.h"
 #include "ruc/Particles/PackOverview.h"
+#include "ruc/Particles/SeamOverlap.h"
 
 #include "vtkDataObject.h"
 #include "vtkExecutive.h"
@@ -166,19 +168,45 @@ void vtkRUCSpherePackReader::Read(double time, vtkPolyData* output)
   const ruc::FramePack read =
     ruc::MakePack(this->Files->Read(this->FileName, n, settings), this->GetPackSettings());
   this->Warn(read.Warnings);
-  this->FillOutput(read, output);
+  const ruc::FoundWindow window = this->TakeWindow(read);
+  this->FillOutput(read, window, output);
   const std::vector<double> times = file.Times();
   if (!times.empty())
   {
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), times[n]);
   }
   const std::size_t frames = file.Frames.size();
-  this->Describe(read,
+  this->Describe(read, window,
     ruc::Text(frames > 1 ? ruc::Text(", frame ", n + 1, " of ", frames) : "",
       times.empty() ? "" : ruc::Text(" at time ", times[n])));
 }
 
-void vtkRUCSpherePackReader::FillOutput(const ruc::FramePack& read, vtkPolyData* output)
+ruc::FoundWindow vtkRUCSpherePackReader::TakeWindow(const ruc::FramePack& read)
+{
+  ruc::FoundWindow window;
+  if (read.BoxIsWindow)
+  {
+    window.Observed = read.Box;
+    window.Source = this->GetPackSettings().Observed ? "Properties" : "File";
+  }
+  else if (this->FindWindow)
+  {
+    ruc::WindowChoices choices;
+    choices.Erosion = this->WindowErosion;
+    choices.Faces = this->FaceKinds;
+    ruc::Communicator alone;
+    window = ruc::FindWindow(read.Pack, read.Box, choices, alone);
+  }
+  if (read.Box && ruc::OverlapsAcrossSeams(read.Pack, *read.Box))
+  {
+    window.Warnings.push_back("spheres overlap across the box: is it periodic?");
+  }
+  this->Warn(window.Warnings);
+  return window;
+}
+
+void vtkRUCSpherePackReader::FillOutput(
+  const ruc::FramePack& read, const ruc::FoundWindow& window, vtkPolyData* output) const
 {
   PackData::FillPolyData(read.Pack, output);
   if (!read.Type.empty())
@@ -193,10 +221,7 @@ void vtkRUCSpherePackReader::FillOutput(const ruc::FramePack& read, vtkPolyData*
   {
     PackData::AddField(output, "TypeNames", read.TypeNames);
   }
-  if (read.BoxIsWindow)
-  {
-    PackData::AddWindow(output, *read.Box);
-  }
+  PackData::AddFoundWindow(output, window);
   if (read.Box)
   {
     PackData::AddField(
@@ -216,12 +241,26 @@ std::string vtkRUCSpherePackReader::UnitOf(const ruc::FramePack& read) const
                                    : std::string();
 }
 
-void vtkRUCSpherePackReader::Describe(const ruc::FramePack& read, const std::string& place)
+void vtkRUCSpherePackReader::Describe(
+  const ruc::FramePack& read, const ruc::FoundWindow& window, const std::string& place)
 {
-  const bool given = this->GetPackSettings().Observed.has_value();
-  const ruc::PackOverview overview(read.Pack, read.BoxIsWindow ? read.Box : std::nullopt,
-    given ? "Box Size" : "the file", this->UnitOf(read));
+  const std::string source = window.Source == "Properties" ? "Box Size"
+    : window.Source == "File"                              ? "the file"
+                              : ruc::Text("its faces (", window.Faces, ")");
+  const ruc::SpherePack inside =
+    window.Outside > 0 ? ruc::CropToWindow(read.Pack, *window.Observed) : ruc::SpherePack();
+  const ruc::PackOverview overview(
+    window.Outside > 0 ? inside : read.Pack, window.Observed, source, this->UnitOf(read));
   this->Summary = ruc::Text(read.Format, place, ": ", overview.Text);
+  if (window.Erosion > 0.0)
+  {
+    this->Summary += ruc::Text(
+      " The window stays ", window.Erosion, " largest diameters away from faces that cut no pack.");
+  }
+  if (window.Outside > 0)
+  {
+    this->Summary += ruc::Text(" ", window.Outside, " spheres outside it do not count.");
+  }
   if (read.Box && !read.BoxIsWindow)
   {
     this->Summary +=
@@ -266,4 +305,7 @@ void vtkRUCSpherePackReader::PrintSelf(ostream& os, vtkIndent indent)
      << this->BoxSize[2] << "\n";
   os << indent << "BoxPeriodic: " << this->BoxPeriodic[0] << " " << this->BoxPeriodic[1] << " "
      << this->BoxPeriodic[2] << "\n";
+  os << indent << "FindWindow: " << this->FindWindow << "\n";
+  os << indent << "WindowErosion: " << this->WindowErosion << "\n";
+  os << indent << "FaceKinds: " << this->FaceKinds << "\n";
 }

@@ -38,6 +38,7 @@
 
 namespace ruc
 {
+struct FoundWindow;
 struct FramePack;
 struct PackSettings;
 struct ReadSettings;
@@ -147,6 +148,31 @@ public:
   vtkSetVector3Macro(BoxPeriodic, int);
   vtkGetVector3Macro(BoxPeriodic, int);
   ///@}
+  ///@{
+  /**
+   * Whether a window is looked for (ruc::FindWindow) if neither BoxSize nor the file tells one.
+   * Spheres with centres outside it stay in the output; filters leave them out
+   * (PackData::FindOrigin). Default: on.
+   */
+  vtkSetMacro(FindWindow, bool);
+  vtkGetMacro(FindWindow, bool);
+  ///@}
+  ///@{
+  /**
+   * How far that window stays away from walls and loose faces, in largest diameters
+   * (ruc::WindowChoices). Default: -1; a negative number is automatic.
+   */
+  vtkSetMacro(WindowErosion, double);
+  vtkGetMacro(WindowErosion, double);
+  ///@}
+  ///@{
+  /**
+   * What faces of the pack are, such as "z-=wall; z+=cut; mantle=none" (ruc::WindowChoices).
+   * Default: empty; then it is found.
+   */
+  vtkSetStdStringFromCharMacro(FaceKinds);
+  vtkGetCharFromStdStringMacro(FaceKinds);
+  ///@}
 
   /**
    * Returns what was last read: format, frame, and what ruc::PackOverview tells. It is empty
@@ -172,10 +198,13 @@ private:
   // Fills the output from the last frame that is not later than `time`, or throws
   // std::invalid_argument
   void Read(double time, vtkPolyData* output);
-  void FillOutput(const ruc::FramePack& read, vtkPolyData* output);
+  ruc::FoundWindow TakeWindow(const ruc::FramePack& read);
+  void FillOutput(
+    const ruc::FramePack& read, const ruc::FoundWindow& window, vtkPolyData* output) const;
   std::string UnitOf(const ruc::FramePack& read) const; // after scaling
   // `place` says which frame it is of how many, and its time
-  void Describe(const ruc::FramePack& read, const std::string& place);
+  void Describe(
+    const ruc::FramePack& read, const ruc::FoundWindow& window, const std::string& place);
   // Tells each warning once, and not again for every frame, until a property changes
   void Warn(const std::vector<std::string>& warnings);
 
@@ -194,6 +223,9 @@ private:
   double BoxOrigin[3] = { 0.0, 0.0, 0.0 };
   double BoxSize[3] = { 0.0, 0.0, 0.0 };
   int BoxPeriodic[3] = { 0, 0, 0 };
+  bool FindWindow = true;
+  double WindowErosion = -1.0;
+  std::string FaceKinds;
   std::string Summary;
   std::set<std::string> Warned;
   vtkMTimeType WarnedAt = 0;

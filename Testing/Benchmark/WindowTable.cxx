@@ -183,13 +183,13 @@ int main()
   const ruc::Vector3 edges = { 1445.372, 1287.892, 789.106 };
   PrintPack("settled cylinder", settled,
     oracle::FractionByPoints(
-      settled, ruc::Window::MakeBox({ -548, -548, 200 }, { 1096, 1096, 500 }, {})));
+      settled, ruc::Window::MakeCylinder({ 0, 0, 200 }, { 0, 0, 1 }, 800, 500)));
   if (const char* others = std::getenv("RUC_THIRD_PARTY_DATA"))
   {
     const ruc::SpherePack pack = ReadDump(std::string(others) + "/azamat/test.particles");
     PrintPack("LIGGGHTS cylinder", pack,
       oracle::FractionByPoints(
-        pack, ruc::Window::MakeBox({ 0.11, 0.11, 0.315 }, { 0.28, 0.28, 0.945 }, {})));
+        pack, ruc::Window::MakeCylinder({ 0.25, 0.25, 0.315 }, { 0, 0, 1 }, 0.2, 0.945)));
   }
   PrintWalled("six walls, equal", 6000, 0.0, 0.60, 4.0);
   PrintWalled("six walls, lognormal", 12000, 0.35, 0.62, 1.3);

@@ -66,10 +66,10 @@ inline double FractionIn(const ruc::SpherePack& pack, const ruc::Window& window)
 }
 
 /**
- * The share of a box that lies in spheres, by points drawn in it. It asks for no centres, so layers
- * of them near the faces do not matter. With 400 000 points its standard error is 0.0008.
+ * The share of a window that lies in spheres, by points drawn in it. It asks for no centres, so
+ * layers of them near the faces do not matter. With 400 000 points its standard error is 0.0008.
  */
-inline double FractionByPoints(const ruc::SpherePack& pack, const ruc::Window& box)
+inline double FractionByPoints(const ruc::SpherePack& pack, const ruc::Window& window)
 {
   constexpr int Points = 400000;
   const double reach = pack.LargestRadius();
@@ -80,16 +80,22 @@ inline double FractionByPoints(const ruc::SpherePack& pack, const ruc::Window& b
     *std::max_element(pack.Y.begin(), pack.Y.end()) - low[1],
     *std::max_element(pack.Z.begin(), pack.Z.end()) - low[2] };
   const ruc::CellList cells(pack, ruc::Window::MakeBox(low, edges, {}), reach);
+  const ruc::Window box = window.GetBounds();
   std::mt19937 engine(1);
   std::vector<ruc::CellList::Range> ranges;
   int inside = 0;
-  for (int n = 0; n < Points; ++n)
+  for (int n = 0; n < Points;)
   {
     ruc::Vector3 point;
     for (int q = 0; q < 3; ++q)
     {
       point[q] = box.Origin[q] + box.Size[q] * (engine() / 4294967296.0);
     }
+    if (!window.Contains(point))
+    {
+      continue;
+    }
+    ++n;
     ranges.clear();
     cells.FindRangesAround(point, 0, ranges);
     bool in = false;

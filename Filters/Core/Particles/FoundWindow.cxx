@@ -16,6 +16,8 @@ namespace ruc
 {
 namespace
 {
+constexpr const char* CutFaces = "Cut faces";
+constexpr const char* Eroded = "Eroded";
 constexpr double NearlyEqualSizes = 0.9;
 constexpr double ErosionOfEqualSizes = 3.5;
 // A box of a simulation that is longer than the pack by this is worth a word
@@ -232,20 +234,30 @@ std::optional<Window> MakeWindow(const PackBounds& bounds, const std::optional<W
     : std::nullopt;
 }
 
+std::int64_t CountInside(
+  const SpherePack& piece, const std::optional<Window>& window, Communicator& ranks)
+{
+  std::int64_t inside = 0;
+  for (std::size_t i = 0; i < piece.Size() && window; ++i)
+  {
+    inside += window->Contains(piece.Centre(i)) ? 1 : 0;
+  }
+  ranks.Sum(&inside, 1);
+  return inside;
+}
+
 // Says what is too little, or nothing
-std::string FindShortage(const SpherePack& piece, const std::optional<Window>& window,
-  const PackBounds& bounds, Communicator& ranks)
+std::string FindShortage(
+  std::int64_t inside, const std::optional<Window>& window, const PackBounds& bounds)
 {
   if (!window)
   {
     return "no room";
   }
   const double edge = window->ShortestEdge() / bounds.LargestDiameter();
-  std::int64_t spheres = static_cast<std::int64_t>(CropToWindow(piece, *window).Size());
-  ranks.Sum(&spheres, 1);
-  return edge < LeastEdgeOfWindow    ? Text("an edge of ", edge, " largest diameters")
-    : spheres < LeastSpheresOfWindow ? Text(spheres, spheres == 1 ? " sphere" : " spheres")
-                                     : "";
+  return edge < LeastEdgeOfWindow   ? Text("an edge of ", edge, " largest diameters")
+    : inside < LeastSpheresOfWindow ? Text(inside, inside == 1 ? " sphere" : " spheres")
+                                    : "";
 }
 
 void WarnOfFaces(const Enclosure& enclosure, double erosion, FoundWindow& found)
@@ -320,7 +332,8 @@ void TakeWindow(const SpherePack& piece, const std::optional<Window>& box, const
   const std::optional<Window> window =
     MakeWindow(bounds, box, enclosure, erosion * bounds.LargestDiameter());
   WarnOfFaces(enclosure, erosion, found);
-  const std::string shortage = eroded || !window ? FindShortage(piece, window, bounds, ranks) : "";
+  const std::int64_t inside = CountInside(piece, window, ranks);
+  const std::string shortage = eroded || !window ? FindShortage(inside, window, bounds) : "";
   if (!shortage.empty())
   {
     const std::string required = Text(
@@ -331,8 +344,9 @@ void TakeWindow(const SpherePack& piece, const std::optional<Window>& box, const
     return;
   }
   found.Observed = window;
-  found.Source = eroded ? "Eroded" : "Cut faces";
+  found.Source = eroded ? Eroded : CutFaces;
   found.Erosion = erosion;
+  found.Outside = bounds.Spheres - inside;
 }
 
 bool CanBeMeasured(const SpherePack& piece, Communicator& ranks)
@@ -350,6 +364,11 @@ bool CanBeMeasured(const SpherePack& piece, Communicator& ranks)
   }
   return ranks.All(good) && !ranks.All(!any);
 }
+}
+
+bool IsFoundSource(const std::string& source)
+{
+  return source == CutFaces || source == Eroded;
 }
 
 FoundWindow FindWindow(const SpherePack& piece, const std::optional<Window>& box,

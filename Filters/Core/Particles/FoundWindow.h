@@ -35,6 +35,9 @@ struct WindowChoices
   bool AreAutomatic() const { return this->Erosion < 0.0 && this->Faces.empty(); }
 };
 
+/** Returns whether a FoundWindow::Source, or another text, is of a window that was looked for. */
+bool IsFoundSource(const std::string& source);
+
 /** A window that was found. */
 struct FoundWindow
 {
@@ -46,6 +49,8 @@ struct FoundWindow
   std::string Faces;
   /** How far the window stays away from walls and loose faces, in largest diameters; 0 if none. */
   double Erosion = 0.0;
+  /** The number of spheres whose centres lie outside. */
+  std::int64_t Outside = 0;
   /** Sentences that say what was supposed. */
   std::vector<std::string> Warnings;
 };
@@ -71,8 +76,7 @@ struct FoundWindow
  *
  * Throws std::invalid_argument, the same on every rank, for choices of another form, for a mantle
  * across a periodic axis, and if an erosion that was chosen leaves less than that. Collective; the
- * result is the same on any number of ranks. Spheres outside the window are to be left out
- * (CropToWindow).
+ * result is the same on any number of ranks.
  */
 FoundWindow FindWindow(const SpherePack& piece, const std::optional<Window>& box,
   const WindowChoices& choices, Communicator& ranks);

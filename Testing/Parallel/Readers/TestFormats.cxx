@@ -149,8 +149,11 @@ TEST(Formats, OnePackInEach)
     UpdateAt(reader, 0.0);
     EXPECT_TRUE(errors.Texts.empty());
     ExpectTruth(reader->GetOutput(), file.Shift, file.Digits);
-    EXPECT_EQ(reader->GetOutput()->GetFieldData()->GetArray("BoxSize") != nullptr,
-      file.Window && Rank() == 0);
+    vtkFieldData* fields = reader->GetOutput()->GetFieldData();
+    EXPECT_EQ(fields->GetArray("BoxSize") != nullptr, Rank() == 0);
+    vtkAbstractArray* source = fields->GetAbstractArray("WindowSource");
+    EXPECT_EQ(
+      source && source->GetVariantValue(0).ToString() == "File", file.Window && Rank() == 0);
   }
 }
 

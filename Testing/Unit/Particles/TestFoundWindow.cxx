@@ -64,6 +64,8 @@ TEST(FoundWindow, ACylinderIsKeptAwayFrom)
   const double deep = oracle::FractionByPoints(
     Settled(), Window::MakeBox({ -548, -548, 200 }, { 1096, 1096, 500 }, {}));
   EXPECT_NEAR(oracle::FractionIn(Settled(), *found.Observed), deep, MostError);
+  EXPECT_EQ(found.Outside,
+    static_cast<std::int64_t>(Settled().Size() - CropToWindow(Settled(), *found.Observed).Size()));
   EXPECT_TRUE(Says(found, "a cylinder along z of radius 102"));
   EXPECT_TRUE(Says(found, "face z- looks like a wall ("));
   EXPECT_TRUE(Says(found, "face z+ looks loose: window kept 1.6"));
