@@ -19,8 +19,9 @@ constexpr std::int64_t WallSpheres = 15;
 constexpr double LargestError = 0.2; // of the volume in a layer, else the face is unknown
 constexpr double LooseLoss = 0.1;    // of the volume in the outermost layer
 constexpr double LooseErrors = 3.0;  // standard errors
-// Spheres that keep their distance scatter half as much as independent ones
-constexpr double ErrorOfPacks = 0.5;
+// The denser they lie the less spheres scatter than independent ones; in a settled pack half as
+// much
+constexpr double LeastScatter = 0.5;
 constexpr double LogLikelihood = 4.0; // by which another end is more likely
 constexpr double BandWidth = 0.12;    // mean radii: how far spheres at a wall may lie from it
 constexpr int StepsOfBand = 8;
@@ -248,7 +249,10 @@ FaceKind Face::Judge(const std::int64_t* sums) const
   const double middle = ShareOf(sums[Volumes]), squares = ShareOf(sums[SquaredVolumes]);
   const double layer = this->Bounds.LargestRadius / (this->MiddleTop - this->MiddleBottom);
   // The errors of the layer and of the middle
-  const double error = ErrorOfPacks * std::sqrt(squares * (1.0 / layer + 1.0)) / middle;
+  const double fraction = 4.0 / 3.0 * Pi * middle * std::pow(this->Bounds.LargestRadius, 3) /
+    (this->Area() * (this->MiddleTop - this->MiddleBottom));
+  const double error =
+    std::max(LeastScatter, 1.0 - fraction) * std::sqrt(squares * (1.0 / layer + 1.0)) / middle;
   const double filled = ShareOf(sums[OuterVolumes]) / (middle * layer);
   if (this->EndsBySurfaces(sums))
   {
