@@ -162,7 +162,11 @@ ruc::FramePack Gather(vtkDataObject* input, RankCommunicator& ranks)
   }
   Sort(all);
   ruc::FramePack pack;
-  pack.Box = PackData::FindOwnWindow(points, ranks);
+  // A window that was found is no box of the pack, which reaches beyond it
+  if (!PackData::TakesFoundWindow(points, {}, ranks))
+  {
+    pack.Box = PackData::FindOwnWindow(points, ranks);
+  }
   pack.LengthUnit = PackData::FindLengthUnit(points, ranks);
   pack.Pack = std::move(all.Pack);
   pack.Type = std::move(all.Type);

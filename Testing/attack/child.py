@@ -255,7 +255,8 @@ def attack(case, description, parent):
         proxy.GetDataInformation(port)
     say('UPDATED', None)  # what comes now is the attack's own work
     found = outcome(proxy)
-    say('RESULT', {'sizes': [size for size, _ in found.values()], 'digest': repr(found), 'suspicious': suspicious(proxy),
+    given = {name for _, made in inputs for name in suspicious(made)}  # and passed through
+    say('RESULT', {'sizes': [size for size, _ in found.values()], 'digest': repr(found), 'suspicious': [name for name in suspicious(proxy) if name not in given],
                    'memory': memory('VmHWM') - before, 'changed': files.changed()})
 
 

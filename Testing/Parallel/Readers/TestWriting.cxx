@@ -196,6 +196,26 @@ TEST(Writing, LeavesGhostsOut)
   Remove(name);
 }
 
+// The box is then that of the spheres, as without a window
+TEST(Writing, AWindowThatWasFoundIsNoBox)
+{
+  const auto bare = MakePolyData(FewSizes(), Edge, false, IsMine);
+  AddIds(bare, [](vtkIdType i) { return 1 + i * NumberOfRanks() + Rank(); });
+  const auto found = MakePolyData(FewSizes(), 0.5 * Edge, false, IsMine);
+  AddIds(found, [](vtkIdType i) { return 1 + i * NumberOfRanks() + Rank(); });
+  vtkNew<vtkStringArray> source;
+  source->SetName("WindowSource");
+  source->InsertNextValue("Cut faces");
+  found->GetFieldData()->AddArray(source);
+  bare->GetFieldData()->Initialize();
+  const std::string with = FileOf("_found.dump"), without = FileOf("_none.dump");
+  Write(found, with);
+  Write(bare, without);
+  EXPECT_EQ(BytesOf(with), BytesOf(without));
+  Remove(with);
+  Remove(without);
+}
+
 TEST(Writing, CellsAreFrames)
 {
   vtkNew<vtkMultiBlockDataSet> cells;
