@@ -211,7 +211,10 @@ TEST(Writing, AWindowThatWasFoundIsNoBox)
   const std::string with = FileOf("_found.dump"), without = FileOf("_none.dump");
   Write(found, with);
   Write(bare, without);
-  EXPECT_EQ(BytesOf(with), BytesOf(without));
+  if (Rank() == 0)
+  {
+    EXPECT_TRUE(BytesOf(with) == BytesOf(without));
+  }
   Remove(with);
   Remove(without);
 }
