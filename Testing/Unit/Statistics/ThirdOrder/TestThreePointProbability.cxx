@@ -341,8 +341,11 @@ TEST(ThreePointProbability, IsNoNumberWhereNothingIsKnown)
   }
   EXPECT_GT(known, 100);
   EXPECT_GT(unknown, 10);
-  // A single batch has no scatter
-  const ThreePointProbability single = Fans(pack, 1, region, grid, { { 1, 1, 1 } }, { 1, 1, true });
+  // A single batch, as after Stop, has no scatter
+  ruc::Communicator serial;
+  const ThreePointProbability single = ruc::SampleFans(pack, 1, region, grid, { { 1, 1, 1 } },
+    { 1, 1000, true }, serial, [](double, const std::string&) { return false; });
+  ASSERT_LT(single.GetThrows(), 1000);
   EXPECT_TRUE(std::isnan(single.Error(0, 0, 0, 0)));
   EXPECT_TRUE(std::isnan(single.ThirdOrderError(0).Zeta));
   EXPECT_TRUE(std::isnan(single.ThirdOrderError(0).Eta));
