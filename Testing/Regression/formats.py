@@ -100,4 +100,16 @@ def test_refusal_of_one_frame():
     assert 'Frame 2: ' in window.GetOutput() and reader.GetDataInformation().GetNumberOfPoints() == 0, window.GetOutput()
 
 
-run([test_frames, test_series, test_opened_by_name, test_formats_of_the_panel, test_refusal_of_one_frame])
+def test_state_moved_with_its_file():
+    here, there = os.path.join(folder, 'here'), os.path.join(folder, 'there')
+    os.makedirs(here)
+    reader = SpherePackReader(FileName=write('here/pack.csv', 'x,y,z,radius\n1,1,1,0.5\n3,3,3,0.5\n'), BoxSize=[4, 4, 4], BoxPeriodic=[1, 1, 1])
+    RenameSource('functions', TwoPointProbability(Input=ParticleModes(Input=reader, Method='One Per Size'), NumberOfLags=5))
+    SaveState(os.path.join(here, 'state.pvsm'))
+    os.rename(here, there)
+    ResetSession()
+    LoadState(os.path.join(there, 'state.pvsm'), data_directory=there)
+    assert fetch(FindSource('functions')).GetNumberOfRows() == 6
+
+
+run([test_frames, test_series, test_opened_by_name, test_formats_of_the_panel, test_refusal_of_one_frame] + [test_state_moved_with_its_file] * (RANKS == 1))
