@@ -168,6 +168,7 @@ void vtkRUCSpherePackReader::Read(double time, vtkPolyData* output)
   const ruc::FramePack read =
     ruc::MakePack(this->Files->Read(this->FileName, n, settings), this->GetPackSettings());
   this->Warn(read.Warnings);
+  this->WarnOfUnused(read);
   const ruc::FoundWindow window = this->TakeWindow(read);
   this->FillOutput(read, window, output);
   const std::vector<double> times = file.Times();
@@ -179,6 +180,31 @@ void vtkRUCSpherePackReader::Read(double time, vtkPolyData* output)
   this->Describe(read, window,
     ruc::Text(frames > 1 ? ruc::Text(", frame ", n + 1, " of ", frames) : "",
       times.empty() ? "" : ruc::Text(" at time ", times[n])));
+}
+
+void vtkRUCSpherePackReader::WarnOfUnused(const ruc::FramePack& read)
+{
+  std::vector<std::string> warnings;
+  if (read.Format != "table" &&
+    (!this->Columns.empty() || !this->RadiusColumn.empty() || this->RadiusIsDiameter ||
+      this->SkipLines > 0))
+  {
+    warnings.push_back(ruc::Text("Columns, RadiusColumn, RadiusIsDiameter and SkipLines are for "
+                                 "tables and are not used, as the file is a ",
+      read.Format, "."));
+  }
+  if (read.BoxIsWindow && (!this->FaceKinds.empty() || this->WindowErosion >= 0.0))
+  {
+    warnings.push_back("FaceKinds and WindowErosion are not used, as a window is given.");
+  }
+  if (!this->LengthUnit.empty() && this->Scale == 1.0 && !read.LengthUnit.empty() &&
+    this->LengthUnit != read.LengthUnit)
+  {
+    warnings.push_back(
+      ruc::Text("LengthUnit '", this->LengthUnit, "' stands in place of the file's '",
+        read.LengthUnit, "', and no length is converted: Scale does that."));
+  }
+  this->Warn(warnings);
 }
 
 ruc::FoundWindow vtkRUCSpherePackReader::TakeWindow(const ruc::FramePack& read)

@@ -198,6 +198,7 @@ private:
   // Fills the output from the last frame that is not later than `time`, or throws
   // std::invalid_argument
   void Read(double time, vtkPolyData* output);
+  void WarnOfUnused(const ruc::FramePack& read); // properties that this file has no use for
   ruc::FoundWindow TakeWindow(const ruc::FramePack& read);
   void FillOutput(
     const ruc::FramePack& read, const ruc::FoundWindow& window, vtkPolyData* output) const;

@@ -249,6 +249,10 @@ void vtkRUCSpherePackWriter::Execute(
       pack.Time = this->Times.empty() || packs.size() > 1 ? static_cast<double>(this->Frames)
                                                           : this->Times[this->Step];
     }
+    else if (input && input->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
+    {
+      pack.Time = input->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
+    }
     ++this->Frames;
     ranks.Agree(
       [&]()

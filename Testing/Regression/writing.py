@@ -57,8 +57,10 @@ def cells_and_time_steps():
     SaveData('again.dump', proxy=frames, WriteTimeSteps=1)
     with open('cells.dump') as first, open('again.dump') as second:
         assert first.read() == second.read()
-    SaveData('now.extxyz', proxy=frames)
-    assert len(OpenDataFile('now.extxyz').TimestepValues) <= 1
+    frames.UpdatePipeline(1)
+    for name in ('now.dump', 'now.extxyz'):
+        SaveData(name, proxy=frames)
+        assert list(OpenDataFile(name).TimestepValues) == [1], name
 
 
 os.makedirs(FOLDER, exist_ok=True)

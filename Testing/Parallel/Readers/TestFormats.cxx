@@ -241,6 +241,38 @@ TEST(Formats, FramesWarnOnce)
   }
 }
 
+TEST(Formats, PropertiesWithoutUseAreTold)
+{
+  const auto warned = [](const std::function<void(vtkRUCSpherePackReader*)>& set)
+  {
+    vtkNew<vtkRUCSpherePackReader> reader;
+    reader->SetFileName(DataFile("same_pack/lammps_frames.dump").c_str());
+    set(reader);
+    const Warnings warnings(reader);
+    UpdateAt(reader, 0.0);
+    std::string all;
+    for (const std::string& text : warnings.Texts)
+    {
+      all += text;
+    }
+    return all;
+  };
+  const std::vector<std::pair<std::string, std::function<void(vtkRUCSpherePackReader*)>>> cases = {
+    { "", [](vtkRUCSpherePackReader*) {} },
+    { "are for tables", [](vtkRUCSpherePackReader* r) { r->SetRadiusIsDiameter(true); } },
+    { "are for tables", [](vtkRUCSpherePackReader* r) { r->SetColumns("id,x,y,z,r"); } },
+    { "FaceKinds and WindowErosion are not used",
+      [](vtkRUCSpherePackReader* r) { r->SetFaceKinds("all=wall"); } },
+    { "no length is converted", [](vtkRUCSpherePackReader* r) { r->SetLengthUnit("mm"); } },
+  };
+  for (const auto& [words, set] : cases)
+  {
+    const std::string all = warned(set);
+    EXPECT_EQ(all.empty(), words.empty() || Rank() != 0) << all;
+    EXPECT_TRUE(all.empty() || all.find(words) != std::string::npos) << all;
+  }
+}
+
 TEST(Formats, AFileThatGrowsIsScannedAgain)
 {
   const std::string name = "growing_np" + std::to_string(NumberOfRanks()) + ".dump";

@@ -38,6 +38,11 @@ void Prepare(vtkRUCParticleModes* filter)
 {
   filter->SetMethod(vtkRUCParticleModes::ONE_PER_SIZE);
 }
+void Prepare(vtkRUCPointsToSpherePack* filter)
+{
+  // Else it finds one where none is given
+  filter->SetFindWindow(false);
+}
 void Prepare(vtkRUCChordLengths* filter)
 {
   filter->SetNumberOfLines(200);
