@@ -151,9 +151,9 @@ TEST(DumpGrammar, Refusals)
     { "ITEM: NUMBER OF ATOMS\n0\nITEM: ATOMS x y z\n", "At least one sphere is required" },
     { Dump(Cube, "x y z", "1 1 1 1\n1 1 1 1\n"), "3 fields are required, got 4." },
   };
-  for (const auto& [text, wanted] : texts)
+  for (const auto& bad : texts)
   {
-    EXPECT_SAYS(Parse(text), wanted);
+    EXPECT_SAYS(Parse(bad.first), bad.second);
   }
 }
 
@@ -265,9 +265,9 @@ TEST(XyzGrammar, Refusals)
     { "99999999999\nProperties=pos:R:3\n1 1 1\n",
       "99999999999 rows are stated, the file has room for" },
   };
-  for (const auto& [text, wanted] : texts)
+  for (const auto& bad : texts)
   {
-    EXPECT_SAYS(Parse(text), wanted);
+    EXPECT_SAYS(Parse(bad.first), bad.second);
   }
 }
 
