@@ -326,9 +326,9 @@ TEST(BadFiles, AreRefusedForTheirReason)
     { "big_endian.xyzd", "Little-endian numbers are required" },
     { "odd_size.xyzd", "Little-endian numbers are required" },
   };
-  for (const auto& [name, wanted] : files)
+  for (const auto& bad : files)
   {
-    SCOPED_TRACE(name);
-    EXPECT_SAYS(OpenFile(DataFile(std::string("bad/") + name)).Pack(), wanted);
+    SCOPED_TRACE(bad.first);
+    EXPECT_SAYS(OpenFile(DataFile(std::string("bad/") + bad.first)).Pack(), bad.second);
   }
 }
