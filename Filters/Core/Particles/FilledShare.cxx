@@ -168,10 +168,17 @@ double EvenNumber(const SpherePack& piece, Communicator& ranks)
   return sums[0] / sums[1] * sums[0];
 }
 
+// std::lgamma writes the sign of gamma into a variable that all threads share
+double LogGamma(double x)
+{
+  int sign;
+  return lgamma_r(x, &sign);
+}
+
 // The logarithm of C(m, E) (1 - E/m)^n
 double LogBound(double m, double empty, double n)
 {
-  return std::lgamma(m + 1.0) - std::lgamma(empty + 1.0) - std::lgamma(m - empty + 1.0) +
+  return LogGamma(m + 1.0) - LogGamma(empty + 1.0) - LogGamma(m - empty + 1.0) +
     n * std::log1p(-empty / m);
 }
 }
