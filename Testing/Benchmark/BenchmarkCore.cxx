@@ -8,11 +8,10 @@
  * the most bytes for each sphere that it takes above the file). It runs on one thread unless
  * OMP_NUM_THREADS says otherwise.
  */
+#include "ExamplePack.h"
 #include "ruc/Base/Random.h"
-#include "ruc/Formats/FramePack.h"
 #include "ruc/Formats/PackFormats.h"
 #include "ruc/Particles/CellList.h"
-#include "ruc/Particles/ParticleModes.h"
 #include "ruc/Reconstruction/CellObjective.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/Sampling/FanSampling.h"
@@ -25,34 +24,11 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <string>
 
 namespace
 {
 const ruc::LagGrid Lags = { 200.0 / 277, 277 };
-const ruc::Window Block =
-  ruc::Window::MakeBox({ 0, 0, 0 }, { 1445.372, 1287.892, 789.106 }, { false, false, false });
-
-ruc::SpherePack ReadPack()
-{
-  std::ifstream file(RUC_EXAMPLE_DATA "/bead_block.csv");
-  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  ruc::SpherePack pack = ruc::ReadPack(text).Pack;
-  std::vector<double> diameters;
-  for (double radius : pack.Radius)
-  {
-    diameters.push_back(2.0 * radius);
-  }
-  const ruc::ParticleModes modes(diameters, {});
-  for (double d : diameters)
-  {
-    pack.Mode.push_back(modes.ModeOf(d));
-  }
-  ruc::SortCanonically(pack);
-  return pack;
-}
-
 // The number of pairs closer than the cut-off of the sum
 double CountedPairs(const ruc::SpherePack& pack)
 {
