@@ -145,17 +145,6 @@ std::vector<std::string> AddTypes(
   }
   return list;
 }
-
-ruc::Window Scaled(const ruc::Window& window, double factor)
-{
-  const auto times = [factor](const ruc::Vector3& v) {
-    return ruc::Vector3{ factor * v[0], factor * v[1], factor * v[2] };
-  };
-  return window.GetShape() == ruc::Window::Shape::Box
-    ? ruc::Window::MakeBox(times(window.Origin), times(window.Size), window.Periodic)
-    : ruc::Window::MakeCylinder(
-        times(window.Base), window.Axis, factor * window.Radius, factor * window.Height);
-}
 }
 
 int vtkRUCPointsToSpherePack::FillInputPortInformation(int, vtkInformation* info)
@@ -219,7 +208,7 @@ vtkSmartPointer<vtkPolyData> vtkRUCPointsToSpherePack::ScalePoints(
       const std::optional<ruc::Window> window = PackData::FindWindowHere(input, {});
       if (window && this->Scale != 1.0)
       {
-        PackData::AddWindow(scaled, Scaled(*window, this->Scale));
+        PackData::AddWindow(scaled, window->Scaled(this->Scale));
       }
       if (!this->LengthUnit.empty() || this->Scale != 1.0)
       {
@@ -334,11 +323,21 @@ void vtkRUCPointsToSpherePack::AddIds(
 
 void vtkRUCPointsToSpherePack::AddFoundWindow(vtkPolyData* points, RankCommunicator& ranks)
 {
+  ruc::WindowChoices choices;
+  choices.Erosion = this->WindowErosion;
+  choices.Faces = this->FaceKinds;
+  ruc::CheckChoices(choices);
   const PackData::WindowProperties properties = this->GetWindowProperties();
   bool known = true;
   ranks.Agree([&]() { known = PackData::FindWindowHere(points, properties).has_value(); });
-  if (!this->FindWindow || !ranks.All(!known))
+  known = !ranks.All(!known);
+  if (!this->FindWindow || known)
   {
+    if (ranks.Rank() == 0 && !choices.AreAutomatic())
+    {
+      vtkWarningMacro(<< "FaceKinds and WindowErosion are not used, as "
+                      << (known ? "a window is given." : "FindWindow is off."));
+    }
     return;
   }
   ruc::SpherePack piece;
@@ -357,9 +356,6 @@ void vtkRUCPointsToSpherePack::AddFoundWindow(vtkPolyData* points, RankCommunica
     piece.Z.push_back(centre[2]);
     piece.Radius.push_back(r);
   }
-  ruc::WindowChoices choices;
-  choices.Erosion = this->WindowErosion;
-  choices.Faces = this->FaceKinds;
   const ruc::FoundWindow window = ruc::FindWindow(piece, std::nullopt, choices, ranks);
   PackData::AddFoundWindow(points, window);
   for (std::size_t n = 0; ranks.Rank() == 0 && n < window.Warnings.size(); ++n)

@@ -193,9 +193,11 @@ void vtkRUCSpherePackReader::WarnOfUnused(const ruc::FramePack& read)
                                  "tables and are not used, as the file is a ",
       read.Format, "."));
   }
-  if (read.BoxIsWindow && (!this->FaceKinds.empty() || this->WindowErosion >= 0.0))
+  if ((read.BoxIsWindow || !this->FindWindow) &&
+    (!this->FaceKinds.empty() || this->WindowErosion >= 0.0))
   {
-    warnings.push_back("FaceKinds and WindowErosion are not used, as a window is given.");
+    warnings.push_back(ruc::Text("FaceKinds and WindowErosion are not used, as ",
+      read.BoxIsWindow ? "a window is given." : "FindWindow is off."));
   }
   if (!this->LengthUnit.empty() && this->Scale == 1.0 && !read.LengthUnit.empty() &&
     this->LengthUnit != read.LengthUnit)
@@ -209,6 +211,10 @@ void vtkRUCSpherePackReader::WarnOfUnused(const ruc::FramePack& read)
 
 ruc::FoundWindow vtkRUCSpherePackReader::TakeWindow(const ruc::FramePack& read)
 {
+  ruc::WindowChoices choices;
+  choices.Erosion = this->WindowErosion;
+  choices.Faces = this->FaceKinds;
+  ruc::CheckChoices(choices);
   ruc::FoundWindow window;
   if (read.BoxIsWindow)
   {
@@ -217,9 +223,6 @@ ruc::FoundWindow vtkRUCSpherePackReader::TakeWindow(const ruc::FramePack& read)
   }
   else if (this->FindWindow)
   {
-    ruc::WindowChoices choices;
-    choices.Erosion = this->WindowErosion;
-    choices.Faces = this->FaceKinds;
     ruc::Communicator alone;
     window = ruc::FindWindow(read.Pack, read.Box, choices, alone);
   }

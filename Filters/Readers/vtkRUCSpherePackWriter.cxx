@@ -139,6 +139,11 @@ void Sort(Spheres& spheres)
   spheres = std::move(sorted);
 }
 
+std::string CannotWrite(const std::exception& e)
+{
+  return ruc::Text("FileName requires a file that can be written: ", e.what(), ".");
+}
+
 // Returns the whole pack on rank 0. Collective
 ruc::FramePack Gather(vtkDataObject* input, RankCommunicator& ranks)
 {
@@ -201,6 +206,8 @@ vtkRUCSpherePackWriter::vtkRUCSpherePackWriter()
   this->SetNumberOfOutputPorts(0);
 }
 
+vtkRUCSpherePackWriter::~vtkRUCSpherePackWriter() = default;
+
 int vtkRUCSpherePackWriter::FillInputPortInformation(int, vtkInformation* info)
 {
   PackInput::Accept(info);
@@ -239,8 +246,6 @@ void vtkRUCSpherePackWriter::Execute(
     throw std::invalid_argument(ruc::Text("a file of the format ", format.Name,
       " holds one pack, got ", frames, "; write them as dump or extxyz, or take one out."));
   }
-  ruc::WriteSettings settings;
-  settings.Density = this->Density;
   for (vtkDataObject* of : packs)
   {
     ruc::FramePack pack = Gather(of, ranks);
@@ -253,19 +258,45 @@ void vtkRUCSpherePackWriter::Execute(
     {
       pack.Time = input->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
     }
-    ++this->Frames;
     ranks.Agree(
       [&]()
       {
         if (ranks.Rank() == 0)
         {
-          const ruc::WrittenPack written = ruc::WritePack(format, pack, settings);
-          this->Bytes += written.Bytes;
-          this->Info = written.Info;
+          this->Append(pack);
         }
       });
+    ++this->Frames;
   }
   this->Gathered = true;
+}
+
+void vtkRUCSpherePackWriter::Append(const ruc::FramePack& pack)
+{
+  ruc::WriteSettings settings;
+  settings.Density = this->Density;
+  settings.Frame = static_cast<std::int64_t>(this->Frames);
+  const ruc::PackFormat& format = this->FindFormat();
+  const ruc::WrittenPack written = ruc::WritePack(format, pack, settings);
+  if (!pack.LengthUnit.empty() && !written.HoldLengthUnit && this->Frames == 0)
+  {
+    vtkWarningMacro(<< "the unit of length, '" << pack.LengthUnit
+                    << "', is not written: a file of the format " << format.Name
+                    << " does not tell it.");
+  }
+  this->Info = written.Info;
+  try
+  {
+    if (!this->File)
+    {
+      this->File = std::make_unique<NewFile>(this->FileName);
+    }
+    this->File->Append(written.Bytes);
+  }
+  catch (const std::exception& e)
+  {
+    throw std::invalid_argument(CannotWrite(e));
+  }
 }
 
 std::vector<double> vtkRUCSpherePackWriter::FindTimes(RankCommunicator& ranks)
@@ -286,17 +317,15 @@ std::vector<double> vtkRUCSpherePackWriter::FindTimes(RankCommunicator& ranks)
   return times;
 }
 
-void vtkRUCSpherePackWriter::WriteFiles() const
+void vtkRUCSpherePackWriter::KeepFiles()
 {
-  NewFile file(this->FileName);
-  file.Append(this->Bytes);
   if (!this->Info.empty())
   {
     NewFile info(this->FileName.substr(0, this->FileName.find_last_of('.')) + ".nfo");
     info.Append(this->Info);
     info.Keep();
   }
-  file.Keep();
+  this->File->Keep();
 }
 
 vtkAbstractArray* vtkRUCSpherePackWriter::FindRefusal()
@@ -313,7 +342,7 @@ int vtkRUCSpherePackWriter::Write()
     vtkErrorMacro(<< "Input requires a pack, got none.");
     return 0;
   }
-  this->Bytes.clear();
+  this->File.reset();
   this->Info.clear();
   this->Frames = 0;
   this->Times = this->FindTimes(ranks);
@@ -335,15 +364,15 @@ int vtkRUCSpherePackWriter::Write()
   {
     try
     {
-      this->WriteFiles();
+      this->KeepFiles();
     }
     catch (const std::exception& e)
     {
-      error = ruc::Text("FileName requires a file that can be written: ", e.what(), ".");
+      error = CannotWrite(e);
       vtkErrorMacro(<< error);
     }
   }
-  this->Bytes = std::string();
+  this->File.reset(); // and what was begun of it
   return this->Gathered && ranks.FirstText(error).empty();
 }
 

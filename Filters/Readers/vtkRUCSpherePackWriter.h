@@ -18,8 +18,8 @@
  * Several packs become the frames of one file, if the format holds several: the time steps of the
  * input with WriteAllTimeSteps, and the cells of Unit Cell Reconstruction in one multiblock.
  *
- * Rank 0 gathers the pack and writes. The file takes the place of an old one once it is whole
- * (NewFile).
+ * Rank 0 gathers one frame at a time and writes it. The file takes the place of an old one once it
+ * is whole (NewFile). A unit of length that the format cannot tell is lost with a warning.
  */
 #ifndef vtkRUCSpherePackWriter_h
 #define vtkRUCSpherePackWriter_h
@@ -27,12 +27,15 @@
 #include "RUCReadersModule.h"
 #include "vtkRUCParallelAlgorithm.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
+class NewFile;
 class vtkAbstractArray;
 namespace ruc
 {
+struct FramePack;
 struct PackFormat;
 }
 
@@ -64,7 +67,7 @@ public:
 
 protected:
   vtkRUCSpherePackWriter();
-  ~vtkRUCSpherePackWriter() override = default;
+  ~vtkRUCSpherePackWriter() override;
   const char* GetLabel() const override { return "Sphere Pack Writer"; }
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(
@@ -81,18 +84,22 @@ private:
   const ruc::PackFormat& FindFormat() const;
   /** Returns why the input is empty, if a filter of this plugin has refused to make it. */
   vtkAbstractArray* FindRefusal();
-  /** Puts what was gathered into files. On rank 0 alone. */
-  void WriteFiles() const;
+  /** Appends a frame to the file. On rank 0 alone, as the next. */
+  void Append(const ruc::FramePack& pack);
+  /** Puts the file, and the one beside it, in their places. */
+  void KeepFiles();
 
   std::string FileName;
   double Density = 1.0;
   bool WriteAllTimeSteps = false;
   // Of a call of Write
   std::vector<double> Times;
-  std::size_t Step = 0;    // of Times
-  bool Gathered = false;   // whether Execute has come to its end
-  std::string Bytes, Info; // on rank 0
+  std::size_t Step = 0;  // of Times
+  bool Gathered = false; // whether Execute has come to its end
   std::size_t Frames = 0;
+  // On rank 0, once there is a frame
+  std::unique_ptr<NewFile> File;
+  std::string Info;
 };
 
 #endif

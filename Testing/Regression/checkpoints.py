@@ -29,17 +29,22 @@ def require(good, what):
         sys.exit('FAILED: ' + what)
 
 
-def start(settings, ranks=1):
-    command = [PVBATCH, SEARCH, json.dumps(settings)]
+def start(searches, ranks=1):
+    command = [PVBATCH, SEARCH, json.dumps(searches)]
     if ranks > 1:
         command = [MPIEXEC, '--oversubscribe', '-np', str(ranks)] + command
     return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
 
 
-def run(settings, ranks=1):
-    """The output of a search, and the result in it or None."""
-    output = start(settings, ranks).communicate(timeout=120)[0]
-    return output, next((line for line in output.splitlines() if line.startswith('RESULT')), None)
+def run(*searches, ranks=1):
+    """For each of the searches, which one process does one after the other: its output, and the result in it or None."""
+    outputs = start(searches, ranks).communicate(timeout=120)[0].split('END\n')
+    require(len(outputs) > len(searches), f'all searches come to an end, got {outputs[-1][-2000:]}')
+    return [(output, next((line for line in output.splitlines() if line.startswith('RESULT')), None)) for output in outputs[:len(searches)]]
+
+
+def results(*searches, ranks=1):
+    return [result for _, result in run(*searches, ranks=ranks)]
 
 
 def content(name):
@@ -55,7 +60,7 @@ def run_and_kill(settings, ranks):
     """Kills the search with all its ranks some time after it wrote a state; returns whether it was still at work."""
     name = settings['CheckpointFile']
     before = stamp(name)
-    process = start(settings, ranks)
+    process = start([settings], ranks)
     while stamp(name) == before and process.poll() is None:
         time.sleep(0.002)
     time.sleep(chance.uniform(0.0, 0.15))
@@ -70,40 +75,42 @@ def run_and_kill(settings, ranks):
 
 def test_kills():
     killed = 0
+    expected = dict(zip(SEARCHES, results(*(settings for settings, _ in SEARCHES.values()))))
+    later = {1: [], 2: []}  # what is still to be run on that many ranks
     for label, (settings, kills) in SEARCHES.items():
-        expected = run(settings)[1]
-        require(expected, label + ' gives a result')
+        require(expected[label], label + ' gives a result')
         name = os.path.join(FOLDER, label + '.state')
         writing = dict(settings, CheckpointFile=name, CheckpointInterval=0)
         for n in range(kills):
             killed += run_and_kill(writing, 1 + n % 2)
             shutil.copy(name, name + '.copy')
-        require(run(writing, 1 + kills % 2)[1] == expected, label + ' ends as if it had never been killed')
-        # The search goes on from the last killed state on the other number of ranks, and from its end
-        writing['CheckpointFile'] = name + '.copy'
-        require(run(writing, 2 - kills % 2)[1] == expected, label + ' ends the same on other ranks')
-        require(run(writing)[1] == expected, label + ' from its end is the same')
-        print(label, 'killed and resumed', flush=True)
+        later[1 + kills % 2].append((label + ' ends as if it had never been killed', label, writing))
+        # From the last killed state on the other number of ranks
+        later[2 - kills % 2].append((label + ' ends the same on other ranks', label, dict(writing, CheckpointFile=name + '.copy')))
+        later[1].append((label + ' from its end is the same', label, writing))
+    for ranks in (2, 1):
+        for (what, label, _), result in zip(later[ranks], results(*(settings for _, _, settings in later[ranks]), ranks=ranks)):
+            require(result == expected[label], what)
     require(killed >= 8, f'searches are long enough to be killed 10 times, were {killed} times')
+    print('killed and resumed', flush=True)
 
 
 def test_cells():
     """Several cells have a file each."""
     settings = {'MaximumIterations': 60, 'NumberOfCells': 3}
-    expected = run(settings)[1]
     name = os.path.join(FOLDER, 'cells.state')
-    short = dict(settings, MaximumIterations=20, CheckpointFile=name)
-    run(short, 2)
+    run(dict(settings, MaximumIterations=20, CheckpointFile=name), ranks=2)
     require(sorted(os.listdir(FOLDER)).count('cells.state.3') == 1, 'cell 3 has a file of its own')
     os.remove(name + '.2')
-    require(run(dict(settings, CheckpointFile=name))[1] == expected, 'three cells, two of which resume')
+    expected, resumed = results(settings, dict(settings, CheckpointFile=name))
+    require(expected and resumed == expected, 'three cells, two of which resume')
 
 
 def run_until_stopped(settings, name, limit):
     """What a search says that is stopped by a TimeLimit, shorter on quicker machines; and its settings."""
     for attempt in range(10):
         limited = dict(settings, TimeLimit=limit / 2 ** attempt, CheckpointFile=f'{name}-{attempt}')
-        result = run(limited, 2)[1]
+        result, = results(limited, ranks=2)
         require(result is not None, name + ' gives a result')
         if result.count('Time limit') == settings.get('NumberOfCells', 1):  # none has come to its end
             return result, limited
@@ -115,18 +122,19 @@ def test_stopped():
     # At once, before there is a state, and on the way
     for label, settings, limit in (('gradient', {'MaximumIterations': 300}, 1e-9), ('hybrid', SEARCHES['hybrid'][0], 0.6),
                                    ('cells', {'MaximumIterations': 300, 'NumberOfCells': 2}, 0.6)):
-        expected = run(settings)[1]
         stopped, limited = run_until_stopped(settings, os.path.join(FOLDER, 'stopped-' + label), limit)
-        for ranks in (1, 2):
-            output, shown = run(limited, ranks)
-            require(shown == stopped, f'{label} is shown as it was, on {ranks} ranks')
+        again = run(limited, ranks=2)
+        expected, *further = run(settings, limited,
+                                 dict(limited, TimeLimit=1e-9, ContinueAfterStops=-1),  # a second stop, at once
+                                 dict(limited, ContinueAfterStops=1), dict(limited, TimeLimit=0, ContinueAfterStops=2))
+        for output, shown in (again[0], further[0]):
+            require(shown == stopped, f'{label} is shown as it was')
             require('ContinueAfterStops to 1' in output, f'{label} says how to go on, got {output[-300:]}')
-        run(dict(limited, TimeLimit=1e-9, ContinueAfterStops=-1))  # a second stop, at once
-        output, shown = run(dict(limited, ContinueAfterStops=1))
+        output, shown = further[2]
         require('ContinueAfterStops to 2' in output and shown, f'{label} counts its stops, got {output[-300:]}')
-        require(run(dict(limited, TimeLimit=0, ContinueAfterStops=2))[1] == expected, f'{label} goes on to the same end')
+        require(expected[1] and further[3][1] == expected[1], f'{label} goes on to the same end')
         print(label, 'stopped, shown and carried on', flush=True)
-    output = run({'TimeLimit': 1e-9})[0]
+    (output, _), = run({'TimeLimit': 1e-9})
     require(output.count('searches anew when it is loaded') == 1, f'it is said once that a state file does not keep a cell, got {output[-300:]}')
 
 
@@ -139,26 +147,30 @@ def test_refused():
     flipped = bytearray(good)
     flipped[chance.randrange(len(good))] ^= 1 << chance.randrange(8)
     other = dict(settings, Seed=2)
-    for what, data, wanted, ranks, reason in (
-            ('flipped bit', bytes(flipped), settings, 2, 'CheckpointFile'), ('truncated', good[:len(good) // 2], settings, 1, 'truncated'),
-            ('longer', good + b'x', settings, 1, 'CheckpointFile'), ('text', b'x,y,z\n1,2,3\n', settings, 2, 'no checkpoint'),
-            ('empty', b'', settings, 1, 'empty'), ('seed', good, other, 2, 'seed'),
-            ('method', good, SEARCHES['hybrid'][0], 1, 'method')):
-        with open(name, 'wb') as file:
-            file.write(data)
-        output, result = run(dict(wanted, CheckpointFile=name), ranks)
-        require(result is None, what + ' is refused')
-        require('ERR' in output and reason in output, f'{what} is refused with a reason, got {output}')
-        require(content(name) == data, what + ' is left as it is')
-    output, result = run(dict(settings, CheckpointFile=os.path.join(FOLDER, 'nowhere', 'state')), 2)
-    require(result is None and 'a folder that is there' in output, f'a name in no folder is refused before the search, got {output[-300:]}')
+    cases = {1: (('truncated', good[:len(good) // 2], settings, 'truncated'), ('longer', good + b'x', settings, 'CheckpointFile'),
+                 ('empty', b'', settings, 'empty'), ('method', good, SEARCHES['hybrid'][0], 'method')),
+             2: (('flipped bit', bytes(flipped), settings, 'CheckpointFile'), ('text', b'x,y,z\n1,2,3\n', settings, 'no checkpoint'),
+                 ('seed', good, other, 'seed'))}
+    for ranks, of_ranks in cases.items():
+        searches = []
+        for what, data, wanted, _ in of_ranks:
+            with open(f'{name} {what}', 'wb') as file:
+                file.write(data)
+            searches.append(dict(wanted, CheckpointFile=file.name))
+        searches.append(dict(settings, CheckpointFile=os.path.join(FOLDER, 'nowhere', 'state')))
+        *refused, nowhere = run(*searches, ranks=ranks)
+        for (what, data, _, reason), (output, result) in zip(of_ranks, refused):
+            require(result is None, what + ' is refused')
+            require('ERR' in output and reason in output, f'{what} is refused with a reason, got {output}')
+            require(content(f'{name} {what}') == data, what + ' is left as it is')
+        output, result = nowhere
+        require(result is None and 'a folder that is there' in output, f'a name in no folder is refused before the search, got {output[-300:]}')
     print('refused what is no checkpoint', flush=True)
 
 
 def test_neighbours():
     """Files beside the checkpoint that are not the search's own are left as they are, and what is no regular file hangs nothing."""
     settings = {'MaximumIterations': 20}
-    expected = run(settings)[1]
     folder = os.path.join(FOLDER, 'neighbours')
     os.makedirs(folder)
     precious, linked, pipe = (os.path.join(folder, name) for name in ('notes.new', 'victim', 'pipe'))
@@ -168,15 +180,16 @@ def test_neighbours():
     os.symlink(linked, os.path.join(folder, 'state.new'))
     os.mkfifo(pipe)
     os.mkfifo(pipe + '.new')
-    for name in ('notes', 'state'):
-        checkpoint = os.path.join(folder, name)
-        require(run(dict(settings, CheckpointFile=checkpoint, CheckpointInterval=0))[1] == expected, f'a search with {name}')
-        require(os.path.isfile(checkpoint), f'{name} is written')
+    checkpoints = [os.path.join(folder, name) for name in ('notes', 'state')]
+    expected, *written, refused, no_pipe, no_folder = run(
+        settings, *(dict(settings, CheckpointFile=name, CheckpointInterval=0) for name in checkpoints), dict(settings, CheckpointFile=pipe),
+        dict(settings, StopFile=pipe), dict(settings, StopFile=folder))
+    for name, (_, result) in zip(checkpoints, written):
+        require(expected[1] and result == expected[1], f'a search with {name}')
+        require(os.path.isfile(name), f'{name} is written')
     require(content(precious) == content(linked) == b'precious', 'files of others are left as they are')
-    output, result = run(dict(settings, CheckpointFile=pipe))
-    require(result is None and 'CheckpointFile requires' in output, 'a pipe is no checkpoint, got ' + output)
-    for stop in (pipe, folder):
-        require(run(dict(settings, StopFile=stop))[1] == expected, f'{stop} is no file that ends a search')
+    require(refused[1] is None and 'CheckpointFile requires' in refused[0], f'a pipe is no checkpoint, got {refused[0]}')
+    require(no_pipe[1] == no_folder[1] == expected[1], 'a pipe and a folder are no files that end a search')
     print('left what is not its own', flush=True)
 
 
@@ -187,7 +200,6 @@ def mount(folder, options):
 def test_disk():
     """A disk that is full, and then read-only: the search goes on, the last good state remains."""
     settings = SEARCHES['population'][0]
-    expected = run(settings)[1]
     disk = os.path.join(FOLDER, 'disk')
     os.makedirs(disk, exist_ok=True)
     # There is room for one state, but not for two
@@ -196,15 +208,15 @@ def test_disk():
         return
     try:
         name = os.path.join(disk, 'state')
-        output, result = run(dict(settings, CheckpointFile=name, CheckpointInterval=0))
+        (_, expected), (output, result) = run(settings, dict(settings, CheckpointFile=name, CheckpointInterval=0))
         require('No space left' in output and 'last good one remains' in output, 'a full disk is told, got ' + output[-2000:])
-        require(result == expected, 'a full disk does not stop the search')
+        require(expected and result == expected, 'a full disk does not stop the search')
         require(os.listdir(disk) == ['state'], f'only the last good state remains, got {os.listdir(disk)}')
         kept = os.path.join(FOLDER, 'kept.state')
         shutil.copy(name, kept)
-        require(run(dict(settings, CheckpointFile=kept))[1] == expected, 'the state before the disk was full is good')
         require(subprocess.run(['mount', '-o', 'remount,ro', disk]).returncode == 0, 'the disk can be made read-only')
-        output, result = run(dict(settings, CheckpointFile=name, CheckpointInterval=0))
+        (_, resumed), (output, result) = run(dict(settings, CheckpointFile=kept), dict(settings, CheckpointFile=name, CheckpointInterval=0))
+        require(resumed == expected, 'the state before the disk was full is good')
         require('Read-only' in output and result == expected, 'a read-only disk is told and does not stop the search')
         print('full and read-only disk', flush=True)
     finally:

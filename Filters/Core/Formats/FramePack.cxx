@@ -34,7 +34,8 @@ std::map<std::string, double, std::less<>> ParseRadiusByType(const std::string& 
     Require(sign > 0 && sign + 1 < entry.size() && ParseNumber(entry.substr(sign + 1), radius) &&
         radius > 0.0 && std::isfinite(radius),
       "RadiusByType", "types and radii > 0, such as 1=0.3; 2=0.42", Quote(entry));
-    radii[std::string(entry.substr(0, sign))] = radius;
+    const bool first = radii.emplace(entry.substr(0, sign), radius).second;
+    Require(first, "RadiusByType", "one radius of each type", Quote(entry));
   }
   return radii;
 }
@@ -83,6 +84,15 @@ void SetRadii(PackFrame& frame, const PackSettings& settings)
   if (frame.Radius.empty())
   {
     frame.Radius = std::move(radii);
+    if (frame.Type.empty() && !settings.RadiusByType.empty())
+    {
+      frame.Warnings.push_back("RadiusByType is not used, since the file tells no types.");
+    }
+  }
+  else if (settings.UniformRadius > 0.0 || !settings.RadiusByType.empty())
+  {
+    frame.Warnings.push_back(
+      "UniformRadius and RadiusByType are not used, since the file tells radii.");
   }
 }
 
@@ -247,6 +257,11 @@ std::optional<Window> PlaceInBox(PackFrame& frame, FramePack& result, const Pack
 {
   if (!frame.Box)
   {
+    if (settings.Periodic)
+    {
+      frame.Warnings.push_back(
+        "BoxPeriodic is not used, since neither BoxSize nor the file tells a box.");
+    }
     return std::nullopt;
   }
   FrameBox box = *frame.Box;
@@ -294,7 +309,7 @@ void MoveIntoWindow(FramePack& result, const Window& window)
       throw std::invalid_argument(
         Text("BoxOrigin and BoxSize require every centre inside the box, got that of sphere ",
           pack.Id[i], " at (", pack.X[i], ", ", pack.Y[i], ", ", pack.Z[i], "), outside the ",
-          window.Describe(), "."));
+          window.Describe(), ". Particle Modes cuts a part out of a pack: set them there."));
     }
   }
   if (result.Wrapped > 0)
@@ -318,7 +333,7 @@ std::vector<double> MakeRadii(std::size_t count, const std::vector<int>& types,
   if (byType.empty() || types.empty())
   {
     Require(settings.UniformRadius > 0.0, "The pack",
-      "radii: a column 'radius' or 'diameter', UniformRadius, or RadiusByType such as 1=0.3; "
+      "radii: RadiusColumn of a table, UniformRadius, or RadiusByType such as 1=0.3; "
       "2=0.42",
       types.empty() ? "neither radii nor types" : "no radii");
     return std::vector<double>(count, settings.UniformRadius);

@@ -116,6 +116,7 @@ PackFrame ReadFrame(const PackFormat& format, ByteStream& bytes,
 {
   try
   {
+    Require(settings.SkipLines >= 0, "SkipLines", "a number >= 0", settings.SkipLines);
     PackFrame frame = format.Read(bytes, frames.at(n), settings);
     if (frame.Size() == 0)
     {

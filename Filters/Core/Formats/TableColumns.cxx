@@ -122,6 +122,34 @@ int FindRole(const std::vector<ColumnName>& names, int role)
   return place;
 }
 
+bool StandsFor(const ColumnName& name, int role)
+{
+  return FindRole({ name }, role) == 0;
+}
+
+// Other columns than the one that was taken for a role, which may be it as well
+void CheckOthers(
+  TableColumns& table, const std::vector<ColumnName>& names, int role, const std::string& chooser)
+{
+  const int place = table.Columns.Field[static_cast<std::size_t>(role)];
+  for (std::size_t other = 0; place >= 0 && other < names.size(); ++other)
+  {
+    const ColumnName& taken = names[static_cast<std::size_t>(place)];
+    if (static_cast<int>(other) == place || !StandsFor(names[other], role))
+    {
+      continue;
+    }
+    if (names[other].Name == taken.Name)
+    {
+      Fail(Text("one column '", taken.Name, "' is required, got columns ", place + 1, " and ",
+        other + 1, ": set Columns, in which - skips one."));
+    }
+    table.Warnings.push_back(
+      Text("Column ", place + 1, ", '", taken.Name, "', is taken and column ", other + 1, ", '",
+        names[other].Name, "', is not: ", chooser, " chooses."));
+  }
+}
+
 std::string ListOf(const std::vector<std::string>& names)
 {
   std::string list;
@@ -187,7 +215,7 @@ void SetRadius(
   {
     const int given = FindGivenRadius(names, columns.Count, settings);
     const bool named = static_cast<std::size_t>(given) < names.size() &&
-      FindRole({ names[static_cast<std::size_t>(given)] }, RowColumns::Diameter) == 0;
+      StandsFor(names[static_cast<std::size_t>(given)], RowColumns::Diameter);
     radius = named ? -1 : given;
     diameter = named ? given : -1;
   }
@@ -257,7 +285,18 @@ TableColumns FindNamedColumns(const std::vector<std::string>& found,
   {
     if (columns.Field[static_cast<std::size_t>(axis)] < 0)
     {
-      Fail(Text("a column '", "xyz"[axis], "' is required, got the columns ", ListOf(given), "."));
+      Fail(Text("a column '", "xyz"[axis], "' is required, got the columns ", ListOf(given),
+        settings.Columns.empty()
+          ? ": set Columns to name them, or SkipLines where they begin later."
+          : "."));
+    }
+  }
+  for (int role = 0; role < RowColumns::NumberOfRoles; ++role)
+  {
+    const bool radius = role == RowColumns::Radius || role == RowColumns::Diameter;
+    if (!radius || settings.RadiusColumn.empty())
+    {
+      CheckOthers(table, names, role, radius ? "RadiusColumn" : "Columns");
     }
   }
   SetRadius(columns, names, settings);

@@ -17,6 +17,8 @@ struct TableColumns
   std::string LengthUnit;
   /** Whether the columns have no names. They are then x y z or x y z radius, by their number. */
   bool Nameless = false;
+  /** Sentences that tell which of two columns was taken that may be the same. */
+  std::vector<std::string> Warnings;
 };
 
 /**
@@ -26,10 +28,11 @@ struct TableColumns
  * and RadiusColumn come first; a radius column that is given by name or number, and is named as a
  * diameter, holds diameters. `units` may be empty, or hold a unit for each column.
  *
- * A radius of 0 is taken, for a point.
+ * A radius of 0 is taken, for a point. Where several names stand for one role, the first is taken,
+ * with a warning.
  *
- * Throws std::invalid_argument for a missing column, settings that do not fit, and lengths in
- * different units.
+ * Throws std::invalid_argument for a missing column, two of one name that stand for a role,
+ * settings that do not fit, and lengths in different units.
  */
 TableColumns FindNamedColumns(const std::vector<std::string>& names,
   const std::vector<std::string>& units, const ReadSettings& settings);

@@ -16,6 +16,8 @@ struct WriteSettings
 {
   /** The density of the spheres, in files that hold one; finite and > 0. */
   double Density = 1.0;
+  /** The number of the frame in its file, from 0, where its time is no number of a step. */
+  std::int64_t Frame = 0;
 };
 
 /** The bytes of a pack in a format. */
@@ -24,6 +26,8 @@ struct WrittenPack
   std::string Bytes;
   /** The bytes of a file of the same name with the extension .nfo beside it, where there is one. */
   std::string Info;
+  /** Whether they tell the unit of length of the pack. */
+  bool HoldLengthUnit = false;
 };
 
 /** How a format is written. */

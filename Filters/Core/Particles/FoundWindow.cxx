@@ -27,6 +27,7 @@ constexpr double LongBox = 1.1;
 struct FaceChoices
 {
   std::array<std::optional<FaceKind>, NumberOfFaces> Kinds;
+  std::array<bool, NumberOfFaces> Named{}; // by their own names
   bool HasMantle = false;
   std::optional<int> MantleAxis;
 
@@ -41,18 +42,32 @@ struct FaceChoices
       const std::string name = entry.substr(0, sign);
       const std::string value = sign < entry.size() ? entry.substr(sign + 1) : "";
       Require(name == "mantle" ? this->SetMantle(value) : this->SetKind(name, value), "FaceKinds",
-        "faces and what they are, such as z-=wall; z+=loose; y-=cut; mantle=none", entry);
+        "faces, each once, and what they are, such as z-=wall; z+=loose; y-=cut; mantle=none",
+        entry);
     }
+    Require(!this->MantleAxis || !this->NameFaceBeside(*this->MantleAxis), "FaceKinds",
+      "of a cylinder only the faces that close it", text);
+  }
+  // Whether a face is named that a mantle along the axis would leave no room for
+  bool NameFaceBeside(int axis) const
+  {
+    bool any = false;
+    for (int f = 0; f < NumberOfFaces; ++f)
+    {
+      any = any || (this->Named[f] && f / 2 != axis);
+    }
+    return any;
   }
 
 private:
   bool SetMantle(const std::string& value)
   {
     const std::size_t axis = std::string("xyz").find(value);
+    const bool first = !this->HasMantle;
     this->HasMantle = true;
     this->MantleAxis =
       value.size() == 1 && axis < 3 ? std::optional<int>(static_cast<int>(axis)) : std::nullopt;
-    return this->MantleAxis || value == "none";
+    return first && (this->MantleAxis || value == "none");
   }
   bool SetKind(const std::string& name, const std::string& value)
   {
@@ -61,9 +76,11 @@ private:
     {
       for (int f = 0; f < NumberOfFaces; ++f)
       {
-        if (value == NameOf(kind) && (name == "all" || name == NameOfFace(f)))
+        const bool named = name == NameOfFace(f);
+        if (value == NameOf(kind) && (named ? !this->Named[f] : name == "all"))
         {
-          this->Kinds[f] = kind;
+          this->Kinds[f] = named || !this->Named[f] ? kind : this->Kinds[f];
+          this->Named[f] = this->Named[f] || named;
           known = true;
         }
       }
@@ -82,15 +99,16 @@ struct Enclosure
 {
   PackFaces Faces;
   std::optional<Mantle> Around;
+  std::array<bool, NumberOfFaces> IsChosen{};
+  bool MantleIsChosen = false;
 
   bool Counts(int face) const
   {
     return this->Faces.Kinds[face] != FaceKind::Periodic &&
       (!this->Around || this->Around->Axis == face / 2);
   }
-  bool IsAny(FaceKind kind) const { return !this->Names(kind).empty(); }
-  // The faces of a kind, such as "x-, y+"
-  std::vector<int> Names(FaceKind kind) const
+  bool IsAny(FaceKind kind) const { return !this->FacesOf(kind).empty(); }
+  std::vector<int> FacesOf(FaceKind kind) const
   {
     std::vector<int> faces;
     for (int f = 0; f < NumberOfFaces; ++f)
@@ -136,7 +154,8 @@ std::optional<Mantle> ChooseMantle(const SpherePack& piece, const PackBounds& bo
 {
   if (!choices.HasMantle)
   {
-    return FindMantle(piece, bounds, ranks);
+    const std::optional<Mantle> mantle = FindMantle(piece, bounds, ranks);
+    return mantle && !choices.NameFaceBeside(mantle->Axis) ? mantle : std::nullopt;
   }
   if (!choices.MantleAxis)
   {
@@ -165,12 +184,16 @@ Enclosure FindEnclosure(const SpherePack& piece, const PackBounds& bounds,
     return enclosure;
   }
   enclosure.Around = ChooseMantle(piece, bounds, chosen, ranks);
+  enclosure.MantleIsChosen = chosen.HasMantle;
   enclosure.Faces = FindFaces(piece, bounds, enclosure.Around, ranks);
   for (int f = 0; f < NumberOfFaces; ++f)
   {
+    Require(!chosen.Named[f] || enclosure.Faces.Kinds[f] != FaceKind::Periodic, "FaceKinds",
+      "faces along axes that are not periodic", NameOfFace(f));
     if (chosen.Kinds[f] && enclosure.Faces.Kinds[f] != FaceKind::Periodic)
     {
       enclosure.Faces.Kinds[f] = *chosen.Kinds[f];
+      enclosure.IsChosen[f] = true;
     }
   }
   return enclosure;
@@ -260,16 +283,25 @@ std::string FindShortage(
                                     : "";
 }
 
+// Of what was found; what was chosen is known
 void WarnOfFaces(const Enclosure& enclosure, double erosion, FoundWindow& found)
 {
   const std::string kept = Text(": window kept ", erosion, " largest diameters away.");
-  if (enclosure.Around)
+  const auto foundFaces = [&](FaceKind kind)
+  {
+    std::vector<int> faces = enclosure.FacesOf(kind);
+    faces.erase(
+      std::remove_if(faces.begin(), faces.end(), [&](int f) { return enclosure.IsChosen[f]; }),
+      faces.end());
+    return faces;
+  };
+  if (enclosure.Around && !enclosure.MantleIsChosen)
   {
     found.Warnings.push_back(Text("a cylinder along ", "xyz"[enclosure.Around->Axis], " of radius ",
       enclosure.Around->Radius, " holds the pack (", InPercent(enclosure.Around->Covered),
       " covered)", kept));
   }
-  if (const std::vector<int> walls = enclosure.Names(FaceKind::Wall); !walls.empty())
+  if (const std::vector<int> walls = foundFaces(FaceKind::Wall); !walls.empty())
   {
     const auto [least, most] = std::minmax_element(walls.begin(), walls.end(),
       [&](int f, int g) { return enclosure.Faces.Covered[f] < enclosure.Faces.Covered[g]; });
@@ -278,12 +310,12 @@ void WarnOfFaces(const Enclosure& enclosure, double erosion, FoundWindow& found)
     found.Warnings.push_back(Text(ListOf(walls), walls.size() == 1 ? " looks" : " look",
       " like a wall (", from == to ? to : from + " to " + to, " covered)", kept));
   }
-  if (const std::vector<int> loose = enclosure.Names(FaceKind::Loose); !loose.empty())
+  if (const std::vector<int> loose = foundFaces(FaceKind::Loose); !loose.empty())
   {
     found.Warnings.push_back(
       Text(ListOf(loose), loose.size() == 1 ? " looks" : " look", " loose", kept));
   }
-  if (const std::vector<int> unknown = enclosure.Names(FaceKind::Unknown); !unknown.empty())
+  if (const std::vector<int> unknown = foundFaces(FaceKind::Unknown); !unknown.empty())
   {
     found.Warnings.push_back(Text(
       "no window given: ", ListOf(unknown), " taken as cut; the spheres are too few to tell."));
@@ -366,6 +398,12 @@ bool CanBeMeasured(const SpherePack& piece, Communicator& ranks)
 }
 }
 
+void CheckChoices(const WindowChoices& choices)
+{
+  Require(std::isfinite(choices.Erosion), "WindowErosion", "a finite number", choices.Erosion);
+  static_cast<void>(FaceChoices(choices.Faces));
+}
+
 bool IsFoundSource(const std::string& source)
 {
   return source == CutFaces || source == Eroded;
@@ -374,7 +412,7 @@ bool IsFoundSource(const std::string& source)
 FoundWindow FindWindow(const SpherePack& piece, const std::optional<Window>& box,
   const WindowChoices& choices, Communicator& ranks)
 {
-  Require(std::isfinite(choices.Erosion), "WindowErosion", "a finite number", choices.Erosion);
+  CheckChoices(choices);
   FoundWindow found;
   if (box && box->IsFullyPeriodic())
   {

@@ -25,15 +25,19 @@ struct WindowChoices
    */
   double Erosion = -1.0;
   /**
-   * What faces are, such as "z-=wall; z+=cut". A face is cut, wall or loose; "all" are all faces.
-   * "mantle=z" tells of a cylinder along z, "mantle=none" that there is none. What is not named is
-   * found.
+   * What faces are, such as "z-=wall; z+=cut". A face is cut, wall or loose; "all" are all faces
+   * that are not named themselves. "mantle=z" tells of a cylinder along z, of which only z- and z+
+   * may be named; "mantle=none" tells that there is none, and so does any other face that is named.
+   * What is not told is found.
    */
   std::string Faces;
 
   /** Whether nothing is chosen. */
   bool AreAutomatic() const { return this->Erosion < 0.0 && this->Faces.empty(); }
 };
+
+/** Throws std::invalid_argument for choices of another form. */
+void CheckChoices(const WindowChoices& choices);
 
 /** Returns whether a FoundWindow::Source, or another text, is of a window that was looked for. */
 bool IsFoundSource(const std::string& source);
@@ -74,9 +78,9 @@ struct FoundWindow
  * the spheres leave a part of it empty (FindFilledShare), as those of a container do that is
  * neither a box nor a cylinder along an axis.
  *
- * Throws std::invalid_argument, the same on every rank, for choices of another form, for a mantle
- * across a periodic axis, and if an erosion that was chosen leaves less than that. Collective; the
- * result is the same on any number of ranks.
+ * Throws std::invalid_argument, the same on every rank, for choices of another form, for a face of
+ * a periodic axis or a mantle across one, and if an erosion that was chosen leaves less than that.
+ * Collective; the result is the same on any number of ranks.
  */
 FoundWindow FindWindow(const SpherePack& piece, const std::optional<Window>& box,
   const WindowChoices& choices, Communicator& ranks);

@@ -188,7 +188,7 @@ std::string OutsideMessage(
   const Window& window, std::int64_t count, std::int64_t total, const std::string& example)
 {
   return Text("The ", window.Describe(), " requires every centre inside, got ", count, " of ",
-    total, " outside, such as ", example, ".");
+    total, " outside, such as ", example, ": CropToWindow leaves them out.");
 }
 
 namespace

@@ -201,6 +201,16 @@ Window Window::Shrunk(double margin) const
   return MakeBox(origin, size, this->Periodic);
 }
 
+Window Window::Scaled(double factor) const
+{
+  const auto times = [factor](const Vector3& v) {
+    return Vector3{ factor * v[0], factor * v[1], factor * v[2] };
+  };
+  return this->WindowShape == Shape::Box
+    ? MakeBox(times(this->Origin), times(this->Size), this->Periodic)
+    : MakeCylinder(times(this->Base), this->Axis, factor * this->Radius, factor * this->Height);
+}
+
 Window Window::GetBounds() const
 {
   if (this->WindowShape == Shape::Box)

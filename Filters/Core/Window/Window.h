@@ -79,6 +79,9 @@ public:
    */
   Window Shrunk(double margin) const;
 
+  /** Returns the window with all lengths and places times a factor > 0. */
+  Window Scaled(double factor) const;
+
   /**
    * Returns the smallest box with edges along the axes that holds the window. A box is its own,
    * with its periodic axes.

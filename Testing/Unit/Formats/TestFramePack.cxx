@@ -210,6 +210,9 @@ TEST(FramePack, RadiiOfSettings)
   frame.TypeNames = { "glass", "steel" };
   settings.RadiusByType = "steel=0.2, glass=0.1";
   EXPECT_EQ(ruc::MakePack(frame, settings).Pack.Radius, (Doubles{ 0.2, 0.1, 0.2 }));
+  settings.RadiusByType = "1=0.1; 2=0.2; 1=0.3";
+  EXPECT_SAYS(
+    ruc::MakePack(frame, settings), "RadiusByType requires one radius of each type, got '1=0.3'");
   for (const char* bad : { "1", "=1", "1=", "1=a", "1=0", "1=-1", "1=inf" })
   {
     settings.RadiusByType = bad;
@@ -225,4 +228,27 @@ TEST(FramePack, RadiiOfSettings)
   settings.RadiusByType = "steel=0.2";
   EXPECT_EQ(
     ruc::MakePack(Spheres({ 1, 20, 30 }, { 1, 2, 3 }), settings).Pack.Radius, (Doubles{ 1, 2, 3 }));
+}
+
+TEST(FramePack, SettingsThatAreNotUsedAreTold)
+{
+  const auto warnings = [](const PackFrame& frame, const ruc::PackSettings& settings)
+  { return ruc::MakePack(frame, settings).Warnings; };
+  const PackFrame sized = Spheres({ 1, 20, 30 }, { 1, 2, 3 });
+  ruc::PackSettings settings;
+  EXPECT_TRUE(warnings(sized, settings).empty());
+  settings.UniformRadius = 0.5;
+  EXPECT_EQ(warnings(sized, settings),
+    std::vector<std::string>{
+      "UniformRadius and RadiusByType are not used, since the file tells radii." });
+  const PackFrame bare = Spheres({ 1, 20, 30 }, {});
+  EXPECT_TRUE(warnings(bare, settings).empty());
+  settings.RadiusByType = "1=2";
+  EXPECT_EQ(warnings(bare, settings),
+    std::vector<std::string>{ "RadiusByType is not used, since the file tells no types." });
+  settings = {};
+  settings.Periodic = { true, true, true };
+  EXPECT_EQ(warnings(sized, settings),
+    std::vector<std::string>{
+      "BoxPeriodic is not used, since neither BoxSize nor the file tells a box." });
 }

@@ -95,8 +95,7 @@ TEST(Tables, Names)
       "Position X,Position Y,Position Z,Radius\n1,2,3,0.5\n-4,5.5,60,0.25\n",
       "x,y,z,Diameter\n1,2,3,1\n-4,5.5,60,0.5\n", "x,y,z,d\n1,2,3,1\n-4,5.5,60,0.5\n",
       "x,y,z,diam,r\n1,2,3,1,0.5\n-4,5.5,60,0.5,0.25\n",
-      "r,x,y,z,Radius\n7,1,2,3,0.5\n8,-4,5.5,60,0.25\n", // r is something else "# x y z r\n1 2 3
-                                                         // 0.5\n-4 5.5 60 0.25\n",
+      "r,x,y,z,Radius\n7,1,2,3,0.5\n8,-4,5.5,60,0.25\n", "# x y z r\n1 2 3 0.5\n-4 5.5 60 0.25\n",
       "# id,x,y,z,r\n7,1,2,3,0.5\n8,-4,5.5,60,0.25\n", "% x y z d\n1 2 3 1\n-4 5.5 60 0.5\n",
       "# made by John Smith\n1 2 3 0.5\n-4 5.5 60 0.25\n", // four words, but no names
       "# x y z r\n# of a pack\n1 2 3 0.5\n-4 5.5 60 0.25\n",
@@ -189,23 +188,47 @@ TEST(Tables, Settings)
   EXPECT_SAYS(Parse("1 2 3 4\n", RadiusColumn("0")), "RadiusColumn requires a column from 1 to 4");
   EXPECT_SAYS(Parse("1 2 3 4\n", RadiusColumn("s")), "got a table without names");
   skip.SkipLines = -3;
-  ExpectTheTwo("1,2,3,0.5\n-4,5.5,60,0.25\n", skip);
+  EXPECT_SAYS(Parse("1,2,3,0.5\n", skip), "SkipLines requires a number >= 0, got -3");
 }
 
 TEST(Tables, ColumnsThatAreNotGuessed)
 {
   EXPECT_SAYS(Parse("1 2 3 4 5\n"), "Line 1: 5 columns without names: set Columns");
-  EXPECT_SAYS(
-    Parse("x,y,radius\n1,2,3\n"), "a column 'z' is required, got the columns 'x', 'y', 'radius'");
-  for (const char* numbered : { "1 1.5 2.5 3.5\n2 4.5 5.5 6.5\n3 8 8 8\n",
-         "3 1.5 2.5 3.5\n1 4.5 5.5 6.5\n2 8 8 8\n", "0 1.5 2.5 1\n1 4.5 5.5 1\n2 8 8 1\n" })
+  EXPECT_SAYS(Parse("x,y,radius\n1,2,3\n"),
+    "a column 'z' is required, got the columns 'x', 'y', 'radius': set Columns");
+  for (const char* numbered :
+    { "1 1.5 2.5 3.5\n2 4.5 5.5 6.5\n3 8 8 8\n", "3 1.5 2.5 3.5\n1 4.5 5.5 6.5\n2 8 8 8\n",
+      "0 1.5 2.5 1\n1 4.5 5.5 1\n2 8 8 1\n", "17 1.5 2.5 3.5\n21 4.5 5.5 6.5\n40 8 8 8\n" })
   {
     EXPECT_SAYS(Parse(numbered), "The first column counts the rows: set Columns");
   }
   EXPECT_EQ(Parse("1 1.5 2.5 3.5\n2 4.5 5.5 6.5\n3 8 8 8\n", Columns("id,x,y,z")).Id.size(), 3u);
+  for (const char* lattice :
+    { "2 2 2 0.5\n4 2 2 0.5\n6 2 2 0.5\n", "4 .5 .5 .5\n2 .5 .5 .5\n6 .5 .5 .5\n" })
+  {
+    EXPECT_EQ(Parse(lattice).Size(), 3u) << lattice;
+  }
   const PackFrame bare = Parse("1.5 2.5 3.5\n4.5 5.5 6.5\n");
   EXPECT_EQ(bare.Size(), 2u);
   EXPECT_TRUE(bare.Radius.empty());
+}
+
+TEST(Tables, TwoColumnsForOneRole)
+{
+  for (const char* twice : { "x,y,z,r,X\n1,2,3,0.5,9\n", "# x y z radius x\n1 2 3 0.5 9\n" })
+  {
+    EXPECT_SAYS(Parse(twice), "one column 'x' is required, got columns 1 and 5: set Columns");
+  }
+  EXPECT_SAYS(Parse("1 2 3 4\n", Columns("x,y,z,z")), "one column 'z' is required, got columns 3");
+  const PackFrame frame = Parse("r,x,y,z,Radius\n7,1,2,3,0.5\n8,-4,5.5,60,0.25\n");
+  EXPECT_EQ(frame.Warnings,
+    std::vector<std::string>{
+      "Column 5, 'radius', is taken and column 1, 'r', is not: RadiusColumn chooses." });
+  EXPECT_TRUE(Parse("r,x,y,z,Radius\n7,1,2,3,0.5\n", RadiusColumn("r")).Warnings.empty());
+  EXPECT_TRUE(Parse("r,x,y,z,r\n7,1,2,3,0.5\n", RadiusColumn("5")).Warnings.empty());
+  EXPECT_EQ(Parse("x,pos_x,y,z\n1,7,2,3\n").Warnings,
+    std::vector<std::string>{
+      "Column 1, 'x', is taken and column 2, 'pos_x', is not: Columns chooses." });
 }
 
 TEST(Tables, BadRows)

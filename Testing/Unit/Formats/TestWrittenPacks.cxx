@@ -162,6 +162,16 @@ TEST(WrittenPacks, FramesFollowOneAnother)
   }
 }
 
+TEST(WrittenPacks, FramesOfTimesThatAreNoStepsAreCounted)
+{
+  FramePack pack = RandomPack(3, Cube(true));
+  pack.Time = 0.5;
+  ruc::WriteSettings settings;
+  settings.Frame = 7;
+  const std::string text = ruc::WritePack(ruc::FormatOfExtension("dump"), pack, settings).Bytes;
+  EXPECT_EQ(text.rfind("ITEM: TIME\n0.5\nITEM: TIMESTEP\n7\n", 0), 0u) << text;
+}
+
 TEST(WrittenPacks, WhatFormatsTellBesides)
 {
   FramePack pack = RandomPack(3, Cube(true));
@@ -169,6 +179,11 @@ TEST(WrittenPacks, WhatFormatsTellBesides)
   EXPECT_NE(Write("data", pack, 2650).Bytes.find("\n7 1 "), std::string::npos);
   EXPECT_NE(Write("data", pack, 2650).Bytes.find(" 2650 "), std::string::npos);
   EXPECT_EQ(Reopen(Write("data", pack)).Pack().LengthUnit, "µm");
+  for (const char* extension : Extensions) // what is said to be held is read again
+  {
+    const ruc::WrittenPack written = Write(extension, pack);
+    EXPECT_EQ(Reopen(written).Pack().LengthUnit, written.HoldLengthUnit ? "µm" : "") << extension;
+  }
   pack.LengthUnit = "Å"; // of two styles
   EXPECT_EQ(Reopen(Write("data", pack)).Pack().LengthUnit, "");
   pack.Pack.Mode = { 3, 1, 2 };

@@ -163,6 +163,21 @@ TEST(FoundWindow, WhatIsChosenIsTaken)
   EXPECT_EQ(found.Faces.rfind("x-=", 0), 0u);
   choices.Faces = "mantle=x";
   EXPECT_EQ(Find(Settled(), choices).Faces.rfind("mantle=x; x-=", 0), 0u);
+  choices.Faces = "z-=cut; all=loose"; // whatever the order, a face's own word counts
+  EXPECT_EQ(Find(Settled(), choices).Faces, "mantle=z; z-=cut; z+=loose");
+  choices.Faces = "x-=cut"; // a face that a cylinder along z does not have
+  EXPECT_EQ(Find(Settled(), choices).Faces.rfind("x-=cut; x+=", 0), 0u);
+}
+
+TEST(FoundWindow, WhatIsChosenIsNotToldAsFound)
+{
+  ASSERT_TRUE(Says(Find(InSlit(), {}, Slit()), "like a wall"));
+  WindowChoices choices;
+  choices.Faces = "z-=wall; z+=wall";
+  EXPECT_FALSE(Says(Find(InSlit(), choices, Slit()), "like a wall"));
+  ASSERT_TRUE(Says(Find(Settled()), "a cylinder along z"));
+  choices.Faces = "mantle=z";
+  EXPECT_FALSE(Says(Find(Settled(), choices), "a cylinder along z"));
 }
 
 TEST(FoundWindow, ChoicesOfAnotherForm)
@@ -177,13 +192,19 @@ TEST(FoundWindow, ChoicesOfAnotherForm)
         Find(InSlit(), choices, Slit());
       });
   };
-  for (const char* faces :
-    { "z", "z-=", "w-=cut", "z-=open", "z-=periodic", "mantle=q", "mantle=", "mantle=xy", "=" })
+  for (const char* faces : { "z", "z-=", "w-=cut", "z-=open", "z-=periodic", "mantle=q",
+         "mantle=", "mantle=xy", "=", "z-=wall z-=wall", "mantle=z mantle=none" })
   {
-    EXPECT_NE(message(faces).find("FaceKinds requires faces and what they are"), std::string::npos)
+    EXPECT_NE(message(faces).find("FaceKinds requires faces, each once, and what they are"),
+      std::string::npos)
       << faces;
-    EXPECT_NE(message(faces).find(std::string("got ") + faces), std::string::npos) << faces;
+    const std::string last = faces;
+    EXPECT_NE(message(faces).find("got " + last.substr(last.rfind(' ') + 1)), std::string::npos)
+      << faces;
   }
+  EXPECT_NE(message("mantle=y; z+=cut").find("only the faces that close it, got mantle=y"),
+    std::string::npos);
+  EXPECT_NE(message("x-=wall").find("axes that are not periodic, got x-"), std::string::npos);
   EXPECT_NE(message("mantle=z").find("across which the pack is not periodic"), std::string::npos);
 }
 

@@ -253,6 +253,7 @@ WrittenPack Write(const FramePack& pack, const WriteSettings& settings)
   const std::string style = StyleOfLengthUnit(pack.LengthUnit);
   const int types = pack.Type.empty() ? 1 : *std::max_element(pack.Type.begin(), pack.Type.end());
   WrittenPack written;
+  written.HoldLengthUnit = !style.empty();
   std::string& text = written.Bytes;
   text = Text("Sphere pack", style.empty() ? "" : ", units = ", style, "\n\n", spheres.Size(),
     " atoms\n", types + numbers.AddedToType, " atom types\n\n");

@@ -314,7 +314,7 @@ PackFrame Read(ByteStream& bytes, const FramePlace& place, const ReadSettings&)
 }
 
 // Without UNITS, which older programs do not know. A time that is no step has a section of its own.
-WrittenPack Write(const FramePack& pack, const WriteSettings&)
+WrittenPack Write(const FramePack& pack, const WriteSettings& settings)
 {
   const Window box = BoxOrBounds(pack);
   const LammpsNumbers numbers(pack);
@@ -328,7 +328,7 @@ WrittenPack Write(const FramePack& pack, const WriteSettings&)
     AppendNumber(text, time);
     text += "\n";
   }
-  text += Text("ITEM: TIMESTEP\n", step ? static_cast<std::int64_t>(time) : 0,
+  text += Text("ITEM: TIMESTEP\n", step ? static_cast<std::int64_t>(time) : settings.Frame,
     "\nITEM: NUMBER OF ATOMS\n", pack.Pack.Size(), "\nITEM: BOX BOUNDS");
   for (bool periodic : box.Periodic)
   {

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 namespace ruc
@@ -260,17 +261,26 @@ TableColumns TableReader::FindColumns(Fields& fields)
                        : FindNamedColumns(names, {}, this->Settings);
 }
 
-// Rows that are numbered are taken for coordinates x where no column has a name
+bool AreWhole(const std::vector<double>& numbers)
+{
+  return std::all_of(
+    numbers.begin(), numbers.end(), [](double number) { return number == std::floor(number); });
+}
+
+// Numbers of rows would be taken for coordinates x where no column has a name. They count from 0 or
+// 1; with gaps they still rise, beside coordinates that are not all whole
 void TableReader::CheckFirstColumn() const
 {
   std::vector<double> x = this->Frame.X;
+  const bool rise = std::adjacent_find(x.begin(), x.end(), std::greater_equal<>()) == x.end();
   std::sort(x.begin(), x.end());
-  bool counts = x.size() >= 3;
+  bool counts = x[0] == 0.0 || x[0] == 1.0;
   for (std::size_t n = 0; n < x.size() && counts; ++n)
   {
-    counts = x[n] == x[0] + static_cast<double>(n) && x[n] == std::floor(x[n]);
+    counts = x[n] == x[0] + static_cast<double>(n);
   }
-  if (counts && (x[0] == 0.0 || x[0] == 1.0))
+  const bool number = rise && x[0] >= 0.0 && AreWhole(x) && !AreWhole(this->Frame.Y);
+  if (x.size() >= 3 && (counts || number))
   {
     throw std::invalid_argument(
       "The first column counts the rows: set Columns, such as id,x,y,z or x,y,z,r.");
@@ -300,6 +310,7 @@ PackFrame TableReader::Read()
     throw std::invalid_argument(Text("Line ", line, ": ", what));
   }
   this->Frame.LengthUnit = table.LengthUnit;
+  this->Frame.Warnings = table.Warnings;
   SphereRows rows(this->Lines, table.Columns, this->Frame);
   for (bool more = !fields.empty(); more; more = this->NextRow(fields))
   {
