@@ -333,8 +333,8 @@ std::vector<double> MakeRadii(std::size_t count, const std::vector<int>& types,
   if (byType.empty() || types.empty())
   {
     Require(settings.UniformRadius > 0.0, "The pack",
-      "radii: RadiusColumn of a table, UniformRadius, or RadiusByType such as 1=0.3; "
-      "2=0.42",
+      "radii: a column 'radius' or 'diameter', RadiusColumn, UniformRadius, or RadiusByType such "
+      "as 1=0.3; 2=0.42",
       types.empty() ? "neither radii nor types" : "no radii");
     return std::vector<double>(count, settings.UniformRadius);
   }
