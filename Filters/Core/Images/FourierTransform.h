@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ruc/Base/Communicator.h"
+#include "ruc/Images/LineTransform.h"
+#include "ruc/Images/Slabs.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace ruc
+{
+/**
+ * Fourier transforms of real three-dimensional images that are spread over the ranks in slabs of
+ * planes z. In double precision; the numbers are equal, bit by bit, for any number of ranks and
+ * threads.
+ *
+ * An image has Filled numbers along each axis and is 0 from there to Size, the period of the
+ * transform. A rank transforms its planes along x and y, and sends to every other rank the columns
+ * along z that belong to that one, which then transforms these. So no rank ever holds all of it.
+ *
+ * Of the frequencies along x, 0 to Size[0] / 2 are kept, since those of a real image are conjugate
+ * to each other in pairs. Column x + HalfX() y holds the frequencies (x, y). Columns lie in blocks
+ * of LineTransform::Lanes, and two blocks in a row always belong to the same rank. Where the last
+ * pair is not full, the rest of it is 0.
+ */
+class FourierTransform
+{
+public:
+  /** The columns of a rank: those of each block as LineTransform has them, first real parts. */
+  using Spectrum = std::vector<double>;
+
+  /** `filled` is at most `size` along each axis, and both are at least 1. */
+  FourierTransform(
+    const std::array<int, 3>& size, const std::array<int, 3>& filled, const Communicator& ranks);
+
+  const std::array<int, 3>& GetSize() const { return this->Size; }
+  int HalfX() const { return this->Size[0] / 2 + 1; }
+
+  /** The planes z of an image that this rank transforms. */
+  const Slabs& GetPlanes() const { return this->Planes; }
+
+  /** How many numbers a spectrum has on the rank with the most. */
+  std::size_t SpectrumSize() const;
+
+  /**
+   * Returns the spectrum sum over x of f(x) exp(-2 pi i k x / Size) of an image. fill(y, z, line)
+   * writes the Filled[0] numbers of a line of a plane of this rank, from any thread. Collective.
+   */
+  Spectrum Forward(
+    const std::function<void(int y, int z, double* line)>& fill, Communicator& ranks) const;
+
+  /**
+   * Calls visit(z, values) on each plane z = 0 … last[2] that this rank is given by `Slabs{last[2]
+   * + 1, ranks}`. The values are g(x) + g(-x), where g(x) = sum over y of f(y) h(y + x) for the
+   * images f and h of which `a` and `b` are the spectra; both are periodic with Size. The plane has
+   * 2 last[1] + 1 rows y = -last[1] … last[1], with x = -last[0] … last[0] in each, and `last` is
+   * at most half of Size. As the function is even, the planes z < 0 are known as well. `visit` is
+   * called by one thread at a time. Collective.
+   *
+   * Only what leads to these planes is transformed.
+   */
+  void Correlate(const Spectrum& a, const Spectrum& b, const std::array<int, 3>& last,
+    Communicator& ranks,
+    const std::function<void(int z, const std::vector<double>& values)>& visit) const;
+
+private:
+  static constexpr int Lanes = LineTransform::Lanes;
+  static constexpr int UnitColumns = 2 * Lanes;
+
+  std::size_t Columns() const { return static_cast<std::size_t>(this->HalfX()) * this->Size[1]; }
+  // The columns of a rank, with what fills its last unit
+  std::size_t FirstColumn(int rank) const { return this->Units.Begin(rank) * UnitColumns; }
+  std::size_t NumberOfColumns(int rank) const { return this->Units.Size(rank) * UnitColumns; }
+
+  void TransformPlane(int z, const std::function<void(int, int, double*)>& fill,
+    std::vector<double>& real, std::vector<double>& imaginary) const;
+  void TransformColumns(Spectrum& spectrum) const;
+  // The products of two spectra, transformed along z: for every rank its planes of lags
+  std::vector<std::vector<double>> ProductPlanes(
+    const Spectrum& a, const Spectrum& b, const Slabs& lags) const;
+  void InvertPlane(std::vector<double>& real, std::vector<double>& imaginary,
+    const std::array<int, 3>& last, std::vector<double>& values) const;
+
+  std::array<int, 3> Size, Filled;
+  LineTransform AlongX, AlongY, AlongZ;
+  int Rank;
+  Slabs Planes; // of the image
+  Slabs Units;  // of columns
+};
+}
