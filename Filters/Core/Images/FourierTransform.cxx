@@ -13,7 +13,7 @@ namespace
 constexpr int Lanes = LineTransform::Lanes;
 
 // Planes are exchanged in rounds of about this many bytes on every rank, which bounds the messages
-constexpr double BytesOfRound = 64e6;
+constexpr double BytesOfRound = 8e6;
 
 // What a thread needs to transform lines of one length
 struct Lines
@@ -27,27 +27,26 @@ struct Lines
   std::vector<double> Real, Imaginary, Work;
 };
 
-// The spectra of two real lines that were transformed as real and imaginary part of one
+// Replaces lines that were transformed as real and imaginary part of one, by the spectra of both at
+// frequency k: `a` of the real parts, `b` of the imaginary ones
 struct TwoSpectra
 {
-  double RealA, ImaginaryA, RealB, ImaginaryB;
+  double RealA[Lanes], ImaginaryA[Lanes], RealB[Lanes], ImaginaryB[Lanes];
 };
-TwoSpectra Separate(const Lines& lines, int size, int k, int lane)
+void Separate(const Lines& lines, int size, int k, TwoSpectra& two)
 {
-  const std::size_t here = std::size_t(k) * Lanes + lane;
-  const std::size_t there = std::size_t(k == 0 ? 0 : size - k) * Lanes + lane;
-  const double a = lines.Real[here], b = lines.Imaginary[here];
-  const double c = lines.Real[there], d = lines.Imaginary[there];
-  return { 0.5 * (a + c), 0.5 * (b - d), 0.5 * (b + d), 0.5 * (c - a) };
-}
-
-// Calls use(lane, column) for the columns of a block of lanes that exist
-template <class Use>
-void ForLanes(int first, int columns, Use&& use)
-{
-  for (int lane = 0; lane < std::min(Lanes, columns - first); ++lane)
+  const std::size_t here = std::size_t(k) * Lanes;
+  const std::size_t there = std::size_t(k == 0 ? 0 : size - k) * Lanes;
+  const double* real = lines.Real.data();
+  const double* imaginary = lines.Imaginary.data();
+  for (int l = 0; l < Lanes; ++l)
   {
-    use(lane, first + lane);
+    const double a = real[here + l], b = imaginary[here + l];
+    const double c = real[there + l], d = imaginary[there + l];
+    two.RealA[l] = 0.5 * (a + c);
+    two.ImaginaryA[l] = 0.5 * (b - d);
+    two.RealB[l] = 0.5 * (b + d);
+    two.ImaginaryB[l] = 0.5 * (c - a);
   }
 }
 }
@@ -61,8 +60,7 @@ FourierTransform::FourierTransform(
   , AlongZ(size[2])
   , Rank(ranks.Rank())
   , Planes{ filled[2], ranks.Size() }
-  , Units{ static_cast<std::int64_t>((this->Columns() + UnitColumns - 1) / UnitColumns),
-    ranks.Size() }
+  , Units{ (std::int64_t(this->BlocksX()) * size[1] + 1) / 2, ranks.Size() }
 {
 }
 
@@ -71,14 +69,14 @@ std::size_t FourierTransform::SpectrumSize() const
   return static_cast<std::size_t>(this->Units.Largest()) * UnitColumns * 2 * this->Size[2];
 }
 
-void FourierTransform::TransformPlane(int z, const std::function<void(int, int, double*)>& fill,
-  std::vector<double>& real, std::vector<double>& imaginary) const
+void FourierTransform::TransformPlane(
+  int z, const std::function<void(int, int, double*)>& fill, Plane& plane) const
 {
-  const int half = this->HalfX();
-  real.assign(this->Columns(), 0.0);
-  imaginary.assign(this->Columns(), 0.0);
+  plane.Real.assign(this->ColumnsOfPlane(), 0.0);
+  plane.Imaginary.assign(this->ColumnsOfPlane(), 0.0);
   std::vector<double> line(this->Filled[0]);
-  Lines alongX(this->AlongX), alongY(this->AlongY);
+  Lines alongX(this->AlongX);
+  const std::size_t ofBlock = std::size_t(this->Size[1]) * Lanes;
   // Lines are taken in pairs, which are the same for any number of ranks
   for (int first = 0; first < this->Filled[1]; first += 2 * Lanes)
   {
@@ -95,56 +93,41 @@ void FourierTransform::TransformPlane(int z, const std::function<void(int, int, 
       }
     }
     this->AlongX.Forward(alongX.Real.data(), alongX.Imaginary.data(), alongX.Work.data());
-    for (int n = 0; n < count; n += 2)
+    for (int block = 0; block < this->BlocksX(); ++block)
     {
-      double* realA = real.data() + std::size_t(first + n) * half;
-      double* imaginaryA = imaginary.data() + std::size_t(first + n) * half;
-      for (int k = 0; k < half; ++k)
+      TwoSpectra two[Lanes];
+      const int frequencies = std::min(Lanes, this->HalfX() - block * Lanes);
+      for (int k = 0; k < frequencies; ++k)
       {
-        const TwoSpectra two = Separate(alongX, this->Size[0], k, n / 2);
-        realA[k] = two.RealA;
-        imaginaryA[k] = two.ImaginaryA;
-        if (n + 1 < count)
+        Separate(alongX, this->Size[0], block * Lanes + k, two[k]);
+      }
+      for (int n = 0; n < count; ++n)
+      {
+        const std::size_t place = block * ofBlock + std::size_t(first + n) * Lanes;
+        for (int k = 0; k < frequencies; ++k)
         {
-          realA[half + k] = two.RealB;
-          imaginaryA[half + k] = two.ImaginaryB;
+          plane.Real[place + k] = n % 2 == 0 ? two[k].RealA[n / 2] : two[k].RealB[n / 2];
+          plane.Imaginary[place + k] =
+            n % 2 == 0 ? two[k].ImaginaryA[n / 2] : two[k].ImaginaryB[n / 2];
         }
       }
     }
   }
-  for (int first = 0; first < half; first += Lanes)
+  std::vector<double> work(this->AlongY.WorkSize());
+  for (int block = 0; block < this->BlocksX(); ++block)
   {
-    std::fill(alongY.Real.begin(), alongY.Real.end(), 0.0);
-    std::fill(alongY.Imaginary.begin(), alongY.Imaginary.end(), 0.0);
-    for (int y = 0; y < this->Filled[1]; ++y)
-    {
-      ForLanes(first, half,
-        [&](int lane, int x)
-        {
-          alongY.Real[std::size_t(y) * Lanes + lane] = real[std::size_t(y) * half + x];
-          alongY.Imaginary[std::size_t(y) * Lanes + lane] = imaginary[std::size_t(y) * half + x];
-        });
-    }
-    this->AlongY.Forward(alongY.Real.data(), alongY.Imaginary.data(), alongY.Work.data());
-    for (int y = 0; y < this->Size[1]; ++y)
-    {
-      ForLanes(first, half,
-        [&](int lane, int x)
-        {
-          real[std::size_t(y) * half + x] = alongY.Real[std::size_t(y) * Lanes + lane];
-          imaginary[std::size_t(y) * half + x] = alongY.Imaginary[std::size_t(y) * Lanes + lane];
-        });
-    }
+    this->AlongY.Forward(
+      plane.Real.data() + block * ofBlock, plane.Imaginary.data() + block * ofBlock, work.data());
   }
 }
 
-FourierTransform::Spectrum FourierTransform::Forward(
-  const std::function<void(int, int, double*)>& fill, Communicator& ranks) const
+void FourierTransform::Forward(
+  const std::function<void(int, int, double*)>& fill, Spectrum& spectrum, Communicator& ranks) const
 {
   const std::size_t own = this->NumberOfColumns(this->Rank);
-  Spectrum spectrum(own * 2 * this->Size[2], 0.0);
-  const std::int64_t planesOfRound =
-    std::max<std::int64_t>(1, static_cast<std::int64_t>(BytesOfRound / (16.0 * this->Columns())));
+  spectrum.assign(own * 2 * this->Size[2], 0.0);
+  const std::int64_t planesOfRound = std::max<std::int64_t>(
+    1, static_cast<std::int64_t>(BytesOfRound / (16.0 * this->ColumnsOfPlane())));
   for (std::int64_t begun = 0; begun < this->Planes.Largest(); begun += planesOfRound)
   {
     const auto planesOf = [&](int rank)
@@ -156,17 +139,16 @@ FourierTransform::Spectrum FourierTransform::Forward(
     }
     const int firstPlane = static_cast<int>(this->Planes.Begin(this->Rank) + begun);
 #pragma omp parallel for schedule(dynamic)
-    for (std::int64_t plane = 0; plane < planesOf(this->Rank); ++plane)
+    for (std::int64_t n = 0; n < planesOf(this->Rank); ++n)
     {
-      std::vector<double> real, imaginary;
-      this->TransformPlane(firstPlane + static_cast<int>(plane), fill, real, imaginary);
-      for (std::size_t rank = 0; rank < outgoing.size(); ++rank)
+      Plane plane;
+      this->TransformPlane(firstPlane + static_cast<int>(n), fill, plane);
+      for (int rank = 0; rank < ranks.Size(); ++rank)
       {
         const std::size_t first = this->FirstColumn(rank), count = this->NumberOfColumns(rank);
-        const std::size_t present = std::min(count, real.size() - std::min(first, real.size()));
-        double* to = outgoing[rank].data() + plane * 2 * count;
-        std::copy_n(real.data() + first, present, to);
-        std::copy_n(imaginary.data() + first, present, to + count);
+        double* to = outgoing[rank].data() + n * 2 * count;
+        std::copy_n(plane.Real.data() + first, count, to);
+        std::copy_n(plane.Imaginary.data() + first, count, to + count);
       }
     }
     const std::vector<std::vector<double>> incoming = ranks.AllToAll(std::move(outgoing));
@@ -187,7 +169,6 @@ FourierTransform::Spectrum FourierTransform::Forward(
     }
   }
   this->TransformColumns(spectrum);
-  return spectrum;
 }
 
 void FourierTransform::TransformColumns(Spectrum& spectrum) const
@@ -220,7 +201,7 @@ std::vector<std::vector<double>> FourierTransform::ProductPlanes(
   {
     Lines lines(this->AlongZ);
 #pragma omp for
-    for (std::int64_t unit = 0; unit < static_cast<std::int64_t>(own / UnitColumns); ++unit)
+    for (std::int64_t unit = 0; unit < this->Units.Size(this->Rank); ++unit)
     {
       // The symmetrised product is real. Two blocks are transformed as real and imaginary part.
       for (int part = 0; part < 2; ++part)
@@ -242,14 +223,15 @@ std::vector<std::vector<double>> FourierTransform::ProductPlanes(
           double* real =
             planes[rank].data() + (z - lags.Begin(rank)) * 2 * own + unit * UnitColumns;
           double* imaginary = real + own;
+          // The inverse transform of a real line is conjugate to the transform
+          TwoSpectra two;
+          Separate(lines, this->Size[2], static_cast<int>(z), two);
           for (int lane = 0; lane < Lanes; ++lane)
           {
-            // The inverse transform of a real line is conjugate to the transform
-            const TwoSpectra two = Separate(lines, this->Size[2], static_cast<int>(z), lane);
-            real[lane] = two.RealA;
-            imaginary[lane] = -two.ImaginaryA;
-            real[Lanes + lane] = two.RealB;
-            imaginary[Lanes + lane] = -two.ImaginaryB;
+            real[lane] = two.RealA[lane];
+            imaginary[lane] = -two.ImaginaryA[lane];
+            real[Lanes + lane] = two.RealB[lane];
+            imaginary[Lanes + lane] = -two.ImaginaryB[lane];
           }
         }
       }
@@ -258,37 +240,19 @@ std::vector<std::vector<double>> FourierTransform::ProductPlanes(
   return planes;
 }
 
-void FourierTransform::InvertPlane(std::vector<double>& real, std::vector<double>& imaginary,
-  const std::array<int, 3>& last, std::vector<double>& values) const
+void FourierTransform::InvertPlane(
+  Plane& plane, const std::array<int, 3>& last, std::vector<double>& values) const
 {
   const int half = this->HalfX(), rows = 2 * last[1] + 1, row = 2 * last[0] + 1;
-  Lines alongX(this->AlongX), alongY(this->AlongY);
   const auto wrapped = [](int lag, int size) { return lag < 0 ? lag + size : lag; };
-  // The rows of the lags along y, with the frequencies along x
-  std::vector<double> rowsReal(std::size_t(rows) * half), rowsImaginary(rowsReal.size());
-  for (int first = 0; first < half; first += Lanes)
+  const std::size_t ofBlock = std::size_t(this->Size[1]) * Lanes;
+  std::vector<double> work(this->AlongY.WorkSize());
+  for (int block = 0; block < this->BlocksX(); ++block)
   {
-    for (int y = 0; y < this->Size[1]; ++y)
-    {
-      ForLanes(first, half,
-        [&](int lane, int x)
-        {
-          alongY.Real[std::size_t(y) * Lanes + lane] = real[std::size_t(y) * half + x];
-          alongY.Imaginary[std::size_t(y) * Lanes + lane] = imaginary[std::size_t(y) * half + x];
-        });
-    }
-    this->AlongY.Forward(alongY.Imaginary.data(), alongY.Real.data(), alongY.Work.data());
-    for (int n = 0; n < rows; ++n)
-    {
-      const std::size_t y = wrapped(n - last[1], this->Size[1]);
-      ForLanes(first, half,
-        [&](int lane, int x)
-        {
-          rowsReal[std::size_t(n) * half + x] = alongY.Real[y * Lanes + lane];
-          rowsImaginary[std::size_t(n) * half + x] = alongY.Imaginary[y * Lanes + lane];
-        });
-    }
+    this->AlongY.Forward(
+      plane.Imaginary.data() + block * ofBlock, plane.Real.data() + block * ofBlock, work.data());
   }
+  Lines alongX(this->AlongX);
   values.resize(std::size_t(rows) * row);
   for (int first = 0; first < rows; first += 2 * Lanes)
   {
@@ -297,13 +261,15 @@ void FourierTransform::InvertPlane(std::vector<double>& real, std::vector<double
     std::fill(alongX.Imaginary.begin(), alongX.Imaginary.end(), 0.0);
     for (int n = 0; n < count; ++n)
     {
-      const double* fromReal = rowsReal.data() + std::size_t(first + n) * half;
-      const double* fromImaginary = rowsImaginary.data() + std::size_t(first + n) * half;
+      const std::size_t y = wrapped(first + n - last[1], this->Size[1]);
+      const double* fromReal = plane.Real.data() + y * Lanes;
+      const double* fromImaginary = plane.Imaginary.data() + y * Lanes;
       // A row a is added as it is, and its partner b as i b; both have conjugate halves
       for (int k = 0; k < this->Size[0]; ++k)
       {
         const bool mirrored = k >= half;
-        const int from = mirrored ? this->Size[0] - k : k;
+        const int frequency = mirrored ? this->Size[0] - k : k;
+        const std::size_t from = frequency / Lanes * ofBlock + frequency % Lanes;
         const double x = fromReal[from], y = mirrored ? -fromImaginary[from] : fromImaginary[from];
         const std::size_t place = std::size_t(k) * Lanes + n / 2;
         alongX.Real[place] += n % 2 == 0 ? x : -y;
@@ -338,15 +304,16 @@ void FourierTransform::Correlate(const Spectrum& a, const Spectrum& b,
 #pragma omp parallel for schedule(dynamic)
   for (std::int64_t z = begin; z < end; ++z)
   {
-    std::vector<double> real, imaginary, values;
+    Plane plane;
+    std::vector<double> values;
     for (int rank = 0; rank < ranks.Size(); ++rank)
     {
       const std::size_t count = this->NumberOfColumns(rank);
       const double* from = incoming[rank].data() + (z - begin) * 2 * count;
-      real.insert(real.end(), from, from + count);
-      imaginary.insert(imaginary.end(), from + count, from + 2 * count);
+      plane.Real.insert(plane.Real.end(), from, from + count);
+      plane.Imaginary.insert(plane.Imaginary.end(), from + count, from + 2 * count);
     }
-    this->InvertPlane(real, imaginary, last, values);
+    this->InvertPlane(plane, last, values);
 #pragma omp critical(ruc_fourier_visit)
     visit(static_cast<int>(z), values);
   }

@@ -23,14 +23,14 @@ namespace ruc
  * along z that belong to that one, which then transforms these. So no rank ever holds all of it.
  *
  * Of the frequencies along x, 0 to Size[0] / 2 are kept, since those of a real image are conjugate
- * to each other in pairs. Column x + HalfX() y holds the frequencies (x, y). Columns lie in blocks
- * of LineTransform::Lanes, and two blocks in a row always belong to the same rank. Where the last
- * pair is not full, the rest of it is 0.
+ * to each other in pairs. Columns lie in blocks of LineTransform::Lanes: block y + Size[1] n holds
+ * the frequencies (n Lanes + lane, y), and 0 where there are none. Blocks of even number and the
+ * one after them belong to the same rank.
  */
 class FourierTransform
 {
 public:
-  /** The columns of a rank: those of each block as LineTransform has them, first real parts. */
+  /** The blocks of a rank, each as LineTransform has its lines, first the real parts. */
   using Spectrum = std::vector<double>;
 
   /** `filled` is at most `size` along each axis, and both are at least 1. */
@@ -47,11 +47,11 @@ public:
   std::size_t SpectrumSize() const;
 
   /**
-   * Returns the spectrum sum over x of f(x) exp(-2 pi i k x / Size) of an image. fill(y, z, line)
+   * Sets `spectrum` to sum over x of f(x) exp(-2 pi i k x / Size) of an image. fill(y, z, line)
    * writes the Filled[0] numbers of a line of a plane of this rank, from any thread. Collective.
    */
-  Spectrum Forward(
-    const std::function<void(int y, int z, double* line)>& fill, Communicator& ranks) const;
+  void Forward(const std::function<void(int y, int z, double* line)>& fill, Spectrum& spectrum,
+    Communicator& ranks) const;
 
   /**
    * Calls visit(z, values) on each plane z = 0 … last[2] that this rank is given by `Slabs{last[2]
@@ -69,26 +69,31 @@ public:
 
 private:
   static constexpr int Lanes = LineTransform::Lanes;
-  static constexpr int UnitColumns = 2 * Lanes;
+  static constexpr std::size_t UnitColumns = 2 * Lanes;
 
-  std::size_t Columns() const { return static_cast<std::size_t>(this->HalfX()) * this->Size[1]; }
-  // The columns of a rank, with what fills its last unit
+  // Blocks of frequencies along x, and all columns of a plane with what fills the last blocks
+  int BlocksX() const { return (this->HalfX() + Lanes - 1) / Lanes; }
+  std::size_t ColumnsOfPlane() const { return this->Units.Count * UnitColumns; }
   std::size_t FirstColumn(int rank) const { return this->Units.Begin(rank) * UnitColumns; }
   std::size_t NumberOfColumns(int rank) const { return this->Units.Size(rank) * UnitColumns; }
 
-  void TransformPlane(int z, const std::function<void(int, int, double*)>& fill,
-    std::vector<double>& real, std::vector<double>& imaginary) const;
+  // Of a plane, numbers of the blocks in order: those of a block are a line along y
+  struct Plane
+  {
+    std::vector<double> Real, Imaginary;
+  };
+  void TransformPlane(
+    int z, const std::function<void(int, int, double*)>& fill, Plane& plane) const;
+  void InvertPlane(Plane& plane, const std::array<int, 3>& last, std::vector<double>& values) const;
   void TransformColumns(Spectrum& spectrum) const;
   // The products of two spectra, transformed along z: for every rank its planes of lags
   std::vector<std::vector<double>> ProductPlanes(
     const Spectrum& a, const Spectrum& b, const Slabs& lags) const;
-  void InvertPlane(std::vector<double>& real, std::vector<double>& imaginary,
-    const std::array<int, 3>& last, std::vector<double>& values) const;
 
   std::array<int, 3> Size, Filled;
   LineTransform AlongX, AlongY, AlongZ;
   int Rank;
   Slabs Planes; // of the image
-  Slabs Units;  // of columns
+  Slabs Units;  // pairs of blocks
 };
 }

@@ -42,7 +42,8 @@ struct Image
   FourierTransform::Spectrum Transform(
     const FourierTransform& transform, ruc::Communicator& ranks) const
   {
-    return transform.Forward(
+    FourierTransform::Spectrum spectrum;
+    transform.Forward(
       [&](int y, int z, double* line)
       {
         for (int x = 0; x < this->Filled[0]; ++x)
@@ -50,7 +51,8 @@ struct Image
           line[x] = this->At(x, y, z);
         }
       },
-      ranks);
+      spectrum, ranks);
+    return spectrum;
   }
   Triple Filled;
   std::vector<double> Values;
@@ -137,12 +139,12 @@ TEST(FourierTransform, IsTheSumOfItsDefinition)
     const int half = of.Size[0] / 2 + 1;
     for (int column = 0; column < half * of.Size[1]; ++column)
     {
+      const int x = column % half, y = column / half;
       for (int z = 0; z < of.Size[2]; ++z)
       {
-        const std::complex<double> expected =
-          Sum(image, of.Size, { column % half, column / half, z });
-        const std::size_t place =
-          std::size_t(column / Lanes) * 2 * Lanes * of.Size[2] + z * Lanes + column % Lanes;
+        const std::complex<double> expected = Sum(image, of.Size, { x, y, z });
+        const std::size_t block = y + std::size_t(x / Lanes) * of.Size[1];
+        const std::size_t place = (block * 2 * of.Size[2] + z) * Lanes + x % Lanes;
         ASSERT_NEAR(spectrum[place], expected.real(), 1e-12) << column << ' ' << z;
         ASSERT_NEAR(spectrum[place + Lanes * of.Size[2]], expected.imag(), 1e-12)
           << column << ' ' << z;
