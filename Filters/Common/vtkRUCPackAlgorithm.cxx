@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <numeric>
 #include <stdexcept>
 
@@ -39,10 +38,6 @@ std::string DescribeImpossible(double fraction, double overlapPercent)
     : std::string();
 }
 
-double KnownOrZero(double number)
-{
-  return std::isfinite(number) && number > 0.0 ? number : 0.0;
-}
 }
 
 int vtkRUCPackAlgorithm::FillInputPortInformation(int, vtkInformation* info)
@@ -75,17 +70,6 @@ void vtkRUCPackAlgorithm::CheckMemory(RankCommunicator& ranks)
   {
     this->SpheresFound = 0;
     throw;
-  }
-}
-
-void vtkRUCPackAlgorithm::RequireMemory(double megabytes, RankCommunicator& ranks) const
-{
-  double negative = -megabytes;
-  ranks.Minimum(&negative, 1);
-  if (-negative > 0.0 && !(-negative <= this->MemoryLimit))
-  {
-    throw std::invalid_argument(ruc::Text("MemoryLimit requires at least ", std::ceil(-negative),
-      " MB on every rank for this input with these properties, got ", this->MemoryLimit, "."));
   }
 }
 
@@ -176,55 +160,6 @@ std::optional<ruc::PackFigures> vtkRUCPackAlgorithm::FindFigures()
     this->GetWindowProperties(), static_cast<double>(this->GetKnownSpheres()), ranks.Size());
 }
 
-std::optional<ruc::Estimate> vtkRUCPackAlgorithm::MakeEstimate()
-{
-  return {};
-}
-
-std::optional<ruc::Estimate> vtkRUCPackAlgorithm::FindEstimate()
-{
-  try
-  {
-    return this->MakeEstimate();
-  }
-  catch (const std::exception&)
-  {
-    // The run says what is wrong
-    return {};
-  }
-}
-
-ruc::Estimate vtkRUCPackAlgorithm::EstimateRegion()
-{
-  return {};
-}
-
-double vtkRUCPackAlgorithm::GetEstimatedTime()
-{
-  const RankCommunicator ranks(this->GetController());
-  const std::optional<ruc::Estimate> estimate = this->FindEstimate();
-  return estimate ? KnownOrZero(estimate->Seconds / PackEstimate::Cores(ranks.Size())) : 0.0;
-}
-
-double vtkRUCPackAlgorithm::GetEstimatedMemory()
-{
-  const RankCommunicator ranks(this->GetController());
-  std::optional<ruc::Estimate> estimate = this->FindEstimate();
-  if (!estimate)
-  {
-    return 0.0;
-  }
-  *estimate += this->EstimateRegion();
-  return KnownOrZero(estimate->MegabytesOfRank + estimate->MegabytesOfAll / ranks.Size());
-}
-
-const char* vtkRUCPackAlgorithm::GetAutomaticValues()
-{
-  const std::optional<ruc::Estimate> estimate = this->FindEstimate();
-  this->AutomaticValues = estimate ? estimate->Automatic : std::string();
-  return this->AutomaticValues.c_str();
-}
-
 void vtkRUCPackAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -238,5 +173,4 @@ void vtkRUCPackAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CylinderRadius: " << this->CylinderRadius << "\n";
   os << indent << "CylinderHeight: " << this->CylinderHeight << "\n";
   os << indent << "CropToWindow: " << this->CropToWindow << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

@@ -16,7 +16,7 @@
 #ifndef vtkRUCPackAlgorithm_h
 #define vtkRUCPackAlgorithm_h
 
-#include "vtkRUCParallelAlgorithm.h"
+#include "vtkRUCEstimatedAlgorithm.h"
 
 #include <optional>
 #include <string>
@@ -33,15 +33,14 @@ struct WindowProperties;
 }
 namespace ruc
 {
-struct Estimate;
 struct PackFigures;
 struct PackShare;
 }
 
-class RUCCOMMON_EXPORT vtkRUCPackAlgorithm : public vtkRUCParallelAlgorithm
+class RUCCOMMON_EXPORT vtkRUCPackAlgorithm : public vtkRUCEstimatedAlgorithm
 {
 public:
-  vtkTypeMacro(vtkRUCPackAlgorithm, vtkRUCParallelAlgorithm);
+  vtkTypeMacro(vtkRUCPackAlgorithm, vtkRUCEstimatedAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -91,31 +90,6 @@ public:
   vtkIdType GetSpheresInInput() const { return this->SpheresInInput; }
   ///@}
 
-  ///@{
-  /**
-   * The memory that every rank may use, in megabytes of 10^6 bytes. A run whose estimate
-   * (GetEstimatedMemory) is above that on any rank is refused on all ranks before it begins.
-   * Default: 4000.
-   */
-  vtkSetMacro(MemoryLimit, double);
-  vtkGetMacro(MemoryLimit, double);
-  ///@}
-
-  /**
-   * What a run with the properties as they are would take on an even pack: seconds, with the work
-   * shared by all ranks and their threads, and megabytes of 10^6 bytes on every rank. It is told
-   * from the input as it was last updated on this rank, without any work and without asking other
-   * ranks, and so to a factor of three (Core/Base/Estimate.h). It is 0 where it is not known:
-   * without input, for properties out of range, and for filters that do not tell.
-   */
-  double GetEstimatedTime();
-  virtual double GetEstimatedMemory();
-  /**
-   * About what 0 stands for in properties that are then automatic, such as "Maximum Lag 394". It is
-   * empty where none of them is 0, and where that is not known.
-   */
-  const char* GetAutomaticValues();
-
 protected:
   vtkRUCPackAlgorithm() = default;
   ~vtkRUCPackAlgorithm() override = default;
@@ -158,27 +132,11 @@ protected:
   void WarnOfVolume(double volume, double ofWindow, const RankCommunicator& ranks);
 
   /**
-   * Returns the estimates from figures of the pack, or none where they are not known. It may throw
-   * std::invalid_argument for what a run would refuse, which then has no estimates either.
-   */
-  virtual std::optional<ruc::Estimate> MakeEstimate();
-  /**
-   * Returns what a region to sample adds to the estimates, as far as it is known; nothing by
-   * default.
-   */
-  virtual ruc::Estimate EstimateRegion();
-  /**
-   * The part of the estimated memory that is held against MemoryLimit before a run; all of it by
-   * default.
-   */
-  virtual double GetMemoryToCheck() { return this->GetEstimatedMemory(); }
-  /**
-   * Throws std::invalid_argument, the same on every rank, where that part is above MemoryLimit on
-   * any rank. A run whose memory is not known on any rank is let through. Collective.
+   * Throws std::invalid_argument, the same on every rank, where GetMemoryToCheck is above
+   * MemoryLimit on any rank. A run whose memory is not known on any rank is let through.
+   * Collective.
    */
   void CheckMemory(RankCommunicator& ranks);
-  /** The same for the memory that a run has found it takes on this rank. Collective. */
-  void RequireMemory(double megabytes, RankCommunicator& ranks) const;
   /** The number of spheres on all ranks, while it is known or set; else 0. */
   vtkIdType GetKnownSpheres() const
   {
@@ -195,8 +153,6 @@ private:
   vtkRUCPackAlgorithm(const vtkRUCPackAlgorithm&) = delete;
   void operator=(const vtkRUCPackAlgorithm&) = delete;
 
-  std::optional<ruc::Estimate> FindEstimate();
-
   double BoxOrigin[3] = { 0.0, 0.0, 0.0 };
   double BoxSize[3] = { 0.0, 0.0, 0.0 };
   int BoxPeriodic[3] = { 0, 0, 0 };
@@ -207,8 +163,6 @@ private:
   bool CropToWindow = false;
   vtkIdType SpheresInInput = 0;
   vtkIdType SpheresFound = 0; // the number on all ranks, while a run checks its memory
-  double MemoryLimit = 4000.0;
-  std::string AutomaticValues;
 };
 
 #endif

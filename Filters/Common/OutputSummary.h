@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "RUCCommonModule.h"
 #include "ruc/Statistics/Results/LagGrid.h"
 
 #include "vtkDataObject.h"
@@ -16,7 +17,7 @@ class RankCommunicator;
  * What the outputs of the filters tell about how they came about, besides the field data of
  * PackData.
  */
-namespace OutputSummary
+namespace OutputSummary RUCCOMMON_EXPORT
 {
 /** Calls add(data) for every output of a filter. */
 template <class Add>

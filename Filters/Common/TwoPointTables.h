@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "RUCCommonModule.h"
 #include "ruc/Statistics/PairSums/DirectionalProbability.h"
 #include "ruc/Statistics/PairSums/RadialDistribution.h"
 #include "ruc/Statistics/Results/TwoPointChecks.h"
@@ -13,7 +14,7 @@
 class vtkTable;
 
 /** The tables of the filters of two-point statistics, whose columns are documented there. */
-namespace TwoPointTables
+namespace TwoPointTables RUCCOMMON_EXPORT
 {
 /** The errors may be empty, as they are for an exact method. */
 void FillProbabilities(const ruc::SampledTwoPoint& measured, vtkTable* table);
