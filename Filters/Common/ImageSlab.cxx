@@ -8,15 +8,21 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
+std::array<int, 6> ImageSlab::PieceOf(
+  const std::array<int, 6>& whole, const RankCommunicator& ranks)
+{
+  std::array<int, 6> of = whole, piece;
+  vtkNew<vtkExtentTranslator> translator;
+  translator->PieceToExtentThreadSafe(
+    ranks.Rank(), ranks.Size(), 0, of.data(), piece.data(), vtkExtentTranslator::BLOCK_MODE, 0);
+  return piece;
+}
+
 void ImageSlab::SetExtent(vtkImageData* image, const std::array<int, 6>& whole,
   const std::array<double, 3>& spacing, const RankCommunicator& ranks)
 {
-  std::array<int, 6> of = whole;
-  int extent[6];
-  vtkNew<vtkExtentTranslator> translator;
-  translator->PieceToExtentThreadSafe(
-    ranks.Rank(), ranks.Size(), 0, of.data(), extent, vtkExtentTranslator::BLOCK_MODE, 0);
-  image->SetExtent(extent);
+  std::array<int, 6> piece = PieceOf(whole, ranks);
+  image->SetExtent(piece.data());
   image->SetOrigin(0.0, 0.0, 0.0);
   image->SetSpacing(spacing.data());
 }

@@ -15,6 +15,9 @@ class RankCommunicator;
 /** Images of which every rank holds the part that ParaView expects of it. */
 namespace ImageSlab RUCCOMMON_EXPORT
 {
+/** Returns the part of a whole extent that this rank has; an empty one where there are too many. */
+std::array<int, 6> PieceOf(const std::array<int, 6>& whole, const RankCommunicator& ranks);
+
 /**
  * Gives the image its extent on this rank, which is a part of the `whole` one, its spacing, and the
  * origin 0.

@@ -22,7 +22,9 @@ three_point = pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5
 of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=20)
 comparison = pv.CompareProbabilities(Input=two_point, Cell=of_cell)
 replicas = pv.PeriodicReplicas(Input=cell)
-filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, cell, three_point, of_cell, comparison, replicas]
+labels = pv.LabelImage(Input=modes)
+filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, cell, three_point, of_cell, comparison, replicas,
+           labels]
 
 runs = {}
 for source in filters:
@@ -46,6 +48,7 @@ def check(after):
 
 render = pv.CreateView("RenderView", ViewSize=[300, 200])
 displays = [pv.Show(source, render) for source in (reader, modes, cell, replicas)]
+pv.Show(labels, render)
 pv.Render(render)
 for source in (one_point, two_point, directions, of_pairs, chords, radial, three_point, of_cell, comparison):
     source.UpdatePipeline()

@@ -27,31 +27,46 @@ void Append(std::vector<double>& numbers, vtkFieldData* fields)
   }
 }
 
-// Expects that the values of a slab at all its points are those of the whole image
+// Expects that the values of a slab at all its points or cells are those of the whole image
+void ExpectSameVoxels(vtkImageData* slab, vtkImageData* whole, int association)
+{
+  const bool cells = association == vtkDataObject::CELL;
+  const int* extent = slab->GetExtent();
+  const auto placeIn = [&](vtkImageData* image, int i, int j, int k)
+  {
+    int place[3] = { i, j, k };
+    return cells ? image->ComputeCellId(place) : image->ComputePointId(place);
+  };
+  vtkFieldData* values = whole->GetAttributesAsFieldData(association);
+  for (int a = 0; a < values->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* expected = values->GetArray(a);
+    vtkDataArray* got = slab->GetAttributesAsFieldData(association)->GetArray(expected->GetName());
+    ASSERT_TRUE(got || slab->GetNumberOfElements(association) == 0) << expected->GetName();
+    for (int k = extent[4]; k <= extent[5] - cells; ++k)
+    {
+      for (int j = extent[2]; j <= extent[3] - cells; ++j)
+      {
+        for (int i = extent[0]; i <= extent[1] - cells; ++i)
+        {
+          EXPECT_EQ(
+            got->GetTuple1(placeIn(slab, i, j, k)), expected->GetTuple1(placeIn(whole, i, j, k)))
+            << expected->GetName();
+        }
+      }
+    }
+  }
+}
+
 void ExpectSameSlab(vtkImageData* slab, vtkImageData* whole)
 {
   std::vector<double> got, expected;
   Append(got, slab->GetFieldData());
   Append(expected, whole->GetFieldData());
   EXPECT_TRUE(Same(got, expected)) << "field data";
-  const int* extent = slab->GetExtent();
-  for (int a = 0; a < whole->GetPointData()->GetNumberOfArrays(); ++a)
+  for (int association : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
-    vtkDataArray* values = whole->GetPointData()->GetArray(a);
-    vtkDataArray* part = slab->GetPointData()->GetArray(values->GetName());
-    for (int k = extent[4]; k <= extent[5]; ++k)
-    {
-      for (int j = extent[2]; j <= extent[3]; ++j)
-      {
-        for (int i = extent[0]; i <= extent[1]; ++i)
-        {
-          int place[3] = { i, j, k };
-          EXPECT_EQ(part->GetTuple1(slab->ComputePointId(place)),
-            values->GetTuple1(whole->ComputePointId(place)))
-            << values->GetName();
-        }
-      }
-    }
+    ExpectSameVoxels(slab, whole, association);
   }
 }
 }

@@ -6,6 +6,7 @@
 #include "RankCommunicator.h"
 #include "vtkRUCChordLengths.h"
 #include "vtkRUCDirectionalProbability.h"
+#include "vtkRUCLabelImage.h"
 #include "vtkRUCOnePointProbability.h"
 #include "vtkRUCParticleModes.h"
 #include "vtkRUCPointsToSpherePack.h"
@@ -105,6 +106,7 @@ void ForEachFilter(Check&& check)
   check(static_cast<vtkRUCProbabilityMap*>(nullptr));
   check(static_cast<vtkRUCChordLengths*>(nullptr));
   check(static_cast<vtkRUCRadialDistribution*>(nullptr));
+  check(static_cast<vtkRUCLabelImage*>(nullptr));
 }
 
 template <class Filter>
@@ -287,6 +289,7 @@ TEST(PackDoor, SamplingOfDiametersGoesOnWithAWarning)
   const std::vector<std::string> parts = { "a pack of spheres has volumes that add up to less" };
   const auto data = DataOf(Diameters());
   ExpectOne(WarningsOf<vtkRUCChordLengths>(data), parts);
+  ExpectOne(WarningsOf<vtkRUCLabelImage>(data), parts);
   ExpectOne(WarningsOf<vtkRUCThreePointProbability>(data), parts);
   ExpectOne(WarningsOf<vtkRUCRadialDistribution>(data), parts);
   ExpectOne(WarningsOf<vtkRUCParticleModes>(data), parts);

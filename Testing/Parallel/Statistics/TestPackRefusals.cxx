@@ -4,6 +4,7 @@
 #include "Refusals.h"
 
 #include "vtkRUCChordLengths.h"
+#include "vtkRUCLabelImage.h"
 #include "vtkRUCOnePointProbability.h"
 #include "vtkRUCParticleModes.h"
 #include "vtkRUCPointsToSpherePack.h"
@@ -234,6 +235,7 @@ TEST(WindowRefusals, LayerOfSpheres)
   RefusesLayer<vtkRUCRadialDistribution>("Radial Distribution");
   RefusesLayer<vtkRUCChordLengths>("Chord Lengths");
   RefusesLayer<vtkRUCParticleModes>("Particle Modes");
+  RefusesLayer<vtkRUCLabelImage>("Label Image");
   RefusesLayer<vtkRUCPointsToSpherePack>("Points To Sphere Pack");
 }
 
