@@ -4,6 +4,7 @@
 
 #include "RankCommunicator.h"
 #include "ruc/Base/Text.h"
+#include "ruc/Formats/Fields.h"
 #include "ruc/Particles/FilledShare.h"
 
 #include "vtkCellArray.h"
@@ -16,6 +17,7 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,13 +106,37 @@ vtkDataArray* FindArray(vtkFieldData* arrays, const char* name, vtkIdType count)
     : nullptr;
 }
 
+std::string DescribeArray(vtkAbstractArray* array)
+{
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if (numbers)
+  {
+    return Text(numbers->GetDataTypeAsString(), " of ", numbers->GetNumberOfComponents(),
+      numbers->GetNumberOfComponents() == 1 ? " component" : " components");
+  }
+  // One field that is no number makes text of a column, and it is the one to be told
+  std::string example = array->GetNumberOfValues() > 0 ? array->GetVariantValue(0).ToString() : "";
+  for (vtkIdType n = 0; n < array->GetNumberOfValues(); ++n)
+  {
+    bool isNumber = false;
+    array->GetVariantValue(n).ToDouble(&isNumber);
+    if (!isNumber)
+    {
+      example = array->GetVariantValue(n).ToString();
+      break;
+    }
+  }
+  return "text such as " + ruc::Quote(example);
+}
+
 std::string ListArrays(vtkFieldData* arrays)
 {
   std::string names;
   for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
   {
     const char* name = arrays->GetArrayName(a);
-    names += Text(names.empty() ? "'" : ", '", name ? name : "", "'");
+    names += Text(names.empty() ? "'" : ", '", name ? name : "",
+      vtkDataArray::SafeDownCast(arrays->GetAbstractArray(a)) ? "'" : "' (text)");
   }
   return names.empty() ? "no arrays" : names;
 }
@@ -129,8 +155,8 @@ vtkDataArray* RequireArray(vtkPointSet* input, const char* name)
   vtkDataArray* array = vtkDataArray::SafeDownCast(any);
   if (!array || any->GetNumberOfComponents() != 1)
   {
-    throw std::invalid_argument(Text("Array '", name, "' requires numbers of one component, got ",
-      any->GetDataTypeAsString(), " of ", any->GetNumberOfComponents(), " component(s)."));
+    throw std::invalid_argument(
+      Text("Array '", name, "' requires numbers of one component, got ", DescribeArray(any), "."));
   }
   if (array->GetNumberOfTuples() < input->GetNumberOfPoints())
   {

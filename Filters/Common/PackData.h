@@ -10,6 +10,7 @@
 #include "vtkType.h"
 
 class RankCommunicator;
+class vtkAbstractArray;
 class vtkDataArray;
 class vtkFieldData;
 class vtkPointSet;
@@ -74,7 +75,11 @@ ObservedPack GatherPack(
  */
 vtkDataArray* FindArray(vtkFieldData* arrays, const char* name, vtkIdType count);
 
-/** Returns the names of all arrays for messages, such as "'a', 'b'". */
+/** Returns what an array holds for messages: numbers of how many components, or text such as what.
+ */
+std::string DescribeArray(vtkAbstractArray* array);
+
+/** Returns the names of all arrays for messages, such as "'a', 'b' (text)". */
 std::string ListArrays(vtkFieldData* arrays);
 
 /**

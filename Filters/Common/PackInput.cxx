@@ -166,8 +166,7 @@ vtkSmartPointer<vtkPointSet> PointsOfTable(vtkTable* table)
     if (!numbers || numbers->GetNumberOfComponents() != 1)
     {
       throw std::invalid_argument(Text("Column '", column->GetName(),
-        "' requires numbers of one component, got ", column->GetDataTypeAsString(), " of ",
-        column->GetNumberOfComponents(), " component(s)."));
+        "' requires numbers of one component, got ", PackData::DescribeArray(column), "."));
     }
     points->GetData()->CopyComponent(axis, numbers, 0);
   }

@@ -418,6 +418,30 @@ TEST(PointsToSpherePack, ATableIsTakenByItsColumns)
   filter->Update();
   ExpectRefusal(filter, errors,
     { Name, "Columns x, y and z are required, got 'X [mm]', 'Diameter'", "Table To Points" });
+
+  vtkNew<vtkStringArray> y; // as decimal commas make it
+  y->SetName("y");
+  if (Rank() == 0)
+  {
+    for (const char* text : { "7", "1,5", "2,5" })
+    {
+      y->InsertNextValue(text);
+    }
+    other->Initialize();
+    vtkNew<vtkDoubleArray> x, z;
+    x->SetName("x");
+    z->SetName("z");
+    x->SetNumberOfValues(3);
+    z->SetNumberOfValues(3);
+    other->AddColumn(x);
+    other->AddColumn(y);
+    other->AddColumn(z);
+  }
+  vtkNew<Points> commas;
+  const Errors told(commas);
+  commas->SetInputDataObject(0, other);
+  commas->Update();
+  ExpectRefusal(commas, told, { Name, "Column 'y' requires numbers", "got text such as '1,5'" });
 }
 
 TEST(PointsToSpherePackRefusals, NoPoints)
@@ -431,6 +455,15 @@ TEST(PointsToSpherePackRefusals, NoRadii)
   RefusesPoints({ Name, "Radii are required", "UniformRadius or RadiusByType, got 'Mode'" }, spoil);
   RefusesPoints({ Name, "The pack requires radii", "got neither radii nor types" }, spoil,
     [](Points* f) { f->SetRadiusByType("1=2"); });
+  RefusesPoints({ Name, "Radii are required", "got 'Mode', 'Radius' (text)" },
+    [](vtkPolyData* d)
+    {
+      d->GetPointData()->RemoveArray("Radius");
+      vtkNew<vtkStringArray> texts;
+      texts->SetName("Radius");
+      texts->SetNumberOfValues(d->GetNumberOfPoints());
+      d->GetPointData()->AddArray(texts);
+    });
   RefusesPoints(
     { Name, "RadiusByType requires a radius of type 3, or UniformRadius, got '1=2;2=3'" }, spoil,
     [](Points* f)
