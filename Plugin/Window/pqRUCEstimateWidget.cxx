@@ -87,7 +87,10 @@ vtkSmartPointer<vtkSMProxy> MakeScratch(vtkSMProxy* filter)
         property->Copy(edited);
       }
     });
-  vtkSMPropertyHelper(scratch, "SpheresInInput").Set(CountSpheres(filter));
+  if (scratch->GetProperty("SpheresInInput")) // filters of images have none
+  {
+    vtkSMPropertyHelper(scratch, "SpheresInInput").Set(CountSpheres(filter));
+  }
   scratch->UpdateVTKObjects();
   scratch->UpdatePropertyInformation();
   return scratch;

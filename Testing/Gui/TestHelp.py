@@ -19,6 +19,7 @@ FORMULAS = {
     'filters.DirectionalProbability': 'σ_S_rs(r) = √( Σ (S_rs(r n) − mean)² / (M − 1) )',
     'filters.ProbabilityMap': 'S_rs(x) = (δ_rs / V) Σ V_ii(|x|) + Σ V_ij(|d_ij − x|) / γ(d_ij)',
     'filters.ChordLengths': 'L_r(r) = Σ (c − r)+ / Σ (l − r)+',
+    'filters.ImageStatistics': 'S_rs(x) = (A_rs(x) + A_rs(−x)) / (2 W(x))',
     'filters.RadialDistribution': 'g_rs(r_k) = Σ (V / γ(d_ij)) / (N shell_k / V)',
     'filters.ThreePointProbability': 'ζ = 9 / (2 c (1 − c)) I_2 and η = 5 ζ / 21 + 150 / (7 c (1 − c)) I_4',
     'filters.UnitCellReconstruction': 'h_c³ = (4 π / 3) Σ n_i² r_i⁶ / Σ c_i n_i r_i³ (equation 12)',
@@ -30,7 +31,7 @@ FORMULAS = {
     'sources.SpherePackReader': 'position = Scale × (x, y, z)',
     'writers.SpherePackWriter': 'diameter = 2 × Radius',
 }
-BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.RadialDistribution')
+BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.ImageStatistics', 'filters.RadialDistribution')
 PROPERTIES = {'filters.DirectionalProbability': ['Number Of Directions', 'Number Of Lines', 'Seed'],
               'filters.ProbabilityMap': ['Phase Pairs', 'Resolution', 'Spacing'],
               'filters.ChordLengths': ['Number Of Lines', 'Target Error', 'Mask Label'],

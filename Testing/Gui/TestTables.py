@@ -39,6 +39,8 @@ modes = pv.ParticleModes(Input=reader, NumberOfModes=1)  # so a matrix of plots 
 two_point = pv.TwoPointProbability(Input=modes, NumberOfLags=8)
 cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags=8, MaximumIterations=5)
 of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=8)
+# 16 voxels along each axis, of a label for each half
+labels = pv.Calculator(Input=pv.Wavelet(WholeExtent=[0, 15, 0, 15, 0, 15]), ResultArrayName="Label", Function="if(coordsX > 7, 1, 0)")
 sources = [modes, two_point, cell,
            pv.PointsToSpherePack(Input=reader),
            pv.OnePointProbability(Input=modes),
@@ -47,6 +49,7 @@ sources = [modes, two_point, cell,
            pv.LabelImage(Input=modes, Dimensions=[5, 5, 5]),
            pv.ChordLengths(Input=modes, NumberOfLags=8, NumberOfLines=50),
            pv.RadialDistribution(Input=modes, NumberOfLags=8),
+           pv.ImageStatistics(Input=labels, PhaseArray="Label"),
            pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5, NumberOfLags=4, NumberOfThrows=100),
            pv.CompareProbabilities(Input=two_point, Cell=of_cell),
            pv.PeriodicReplicas(Input=cell)]
