@@ -7,6 +7,7 @@
 
 #include "vtkAlgorithm.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -15,6 +16,7 @@ namespace
 {
 constexpr std::chrono::milliseconds UpdateInterval(100);
 constexpr std::chrono::seconds LineInterval(3);
+constexpr double LeastFraction = 0.01; // ParaView's window listens to its abort button from 1 % on
 }
 
 ProgressReport::ProgressReport(vtkAlgorithm* filter, const std::string& name)
@@ -26,6 +28,11 @@ ProgressReport::ProgressReport(vtkAlgorithm* filter, const std::string& name)
 {
   filter->SetAbortExecute(0); // VTK does not reset it between runs
   vtkRUCStopRequest::Clear();
+}
+
+ProgressReport::~ProgressReport()
+{
+  this->Filter->SetAbortExecute(0);
 }
 
 double ProgressReport::Seconds() const
@@ -46,7 +53,7 @@ void ProgressReport::Tell(double fraction, RunProgress progress)
   {
     this->LastUpdate = now;
     this->Filter->SetProgressText(progress.ToText().c_str());
-    this->Filter->UpdateProgress(fraction);
+    this->Filter->UpdateProgress(std::max(fraction, LeastFraction));
   }
   if (now - this->LastLine >= LineInterval)
   {

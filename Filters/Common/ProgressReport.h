@@ -24,6 +24,15 @@ public:
   /** Forgets wishes that an earlier run should stop. It may be made on any rank. */
   ProgressReport(vtkAlgorithm* filter, const std::string& name);
 
+  /**
+   * Takes the wish back that this run should stop, which was met. Since VTK 9.3 filters downstream
+   * look for one upstream, and would empty their outputs in place of showing what the run has kept.
+   */
+  ~ProgressReport();
+
+  ProgressReport(const ProgressReport&) = delete;
+  ProgressReport& operator=(const ProgressReport&) = delete;
+
   /** Tells of work that has nothing to show before its end, and so cannot be stopped. */
   void Tell(double fraction, const std::string& activity);
 
