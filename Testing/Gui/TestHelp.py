@@ -62,7 +62,7 @@ for proxy, formula in FORMULAS.items():
         failures.append(proxy + ' has no page')
         continue
     text = ' '.join(page.split())
-    if 'charset="utf-8"' not in page[:200]:
+    if 'charset="utf-8"' not in page[:200].lower():
         failures.append(proxy + ' does not say its letters; Qt takes them for Latin-1')
     source = BOOK if proxy in FROM_THE_BOOK else 'Phys. Rev. E 80, 061301 (2009)'
     for part in [formula, source] + ['<th>%s</th>' % label for label in PROPERTIES.get(proxy, [])]:
