@@ -19,6 +19,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
+#include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -358,6 +359,11 @@ void vtkRUCPointsToSpherePack::AddFoundWindow(vtkPolyData* points, RankCommunica
   }
   const ruc::FoundWindow window = ruc::FindWindow(piece, std::nullopt, choices, ranks);
   PackData::AddFoundWindow(points, window);
+  if (ranks.Rank() == 0 && window.Observed)
+  {
+    vtkLog(INFO, << this->GetLabel() << ": " << window.Observed->Describe() << " by its faces ("
+                 << window.Faces << "), " << window.Outside << " spheres outside do not count.");
+  }
   for (std::size_t n = 0; ranks.Rank() == 0 && n < window.Warnings.size(); ++n)
   {
     vtkWarningMacro(<< window.Warnings[n]);
