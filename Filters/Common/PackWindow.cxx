@@ -21,6 +21,9 @@ namespace PackData
 {
 namespace
 {
+constexpr std::array<const char*, 7> WindowFields = { "BoxOrigin", "BoxSize", "BoxPeriodic",
+  "CylinderBase", "CylinderAxis", "CylinderRadius", "CylinderHeight" };
+
 using ruc::Text;
 
 bool ReadField(vtkFieldData* fields, const char* name, int count, double* values)
@@ -251,6 +254,10 @@ std::string FindLengthUnit(vtkDataObject* data, RankCommunicator& ranks)
 
 void AddWindow(vtkDataObject* data, const ruc::Window& window)
 {
+  for (const char* name : WindowFields) // of a window of another shape
+  {
+    data->GetFieldData()->RemoveArray(name);
+  }
   if (window.GetShape() == ruc::Window::Shape::Cylinder)
   {
     AddField(
@@ -287,8 +294,7 @@ void AddFoundWindow(vtkDataObject* data, const ruc::FoundWindow& found)
 
 bool IsOfWholePack(const std::string& field)
 {
-  static const std::array<const char*, 8> names = { "BoxOrigin", "BoxSize", "BoxPeriodic",
-    "CylinderBase", "CylinderAxis", "CylinderRadius", "CylinderHeight", "LengthUnit" };
-  return std::find(names.begin(), names.end(), field) != names.end();
+  return field == "LengthUnit" ||
+    std::find(WindowFields.begin(), WindowFields.end(), field) != WindowFields.end();
 }
 }

@@ -3,6 +3,8 @@
 // Bad input of the filters that make packs from packs
 #include "Refusals.h"
 
+#include "PackData.h"
+#include "ResultData.h"
 #include "vtkRUCParticleModes.h"
 #include "vtkRUCPeriodicReplicas.h"
 
@@ -68,6 +70,37 @@ TEST(ParticleModes, ArraysShorterThanThePointsAreLeftOut)
   vtkPointData* arrays = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData();
   EXPECT_FALSE(arrays->HasArray("Short"));
   EXPECT_TRUE(arrays->HasArray("Whole"));
+}
+
+TEST(ParticleModes, AWindowOfTheOtherShapeReplacesOneThatWasFound)
+{
+  const auto found = [](const ruc::Window& window)
+  {
+    auto data = MakePolyData(FewSizes(), Edge, true, IsMine);
+    PackData::AddWindow(data, window);
+    PackData::AddField(data, "WindowSource", std::string("Eroded"));
+    return data;
+  };
+  const ruc::Window box = ruc::Window::MakeBox({ 0, 0, 0 }, { Edge, Edge, Edge }, {});
+  const ruc::Window cylinder =
+    ruc::Window::MakeCylinder({ 0.5 * Edge, 0.5 * Edge, 0.0 }, { 0, 0, 1 }, Edge, Edge);
+  vtkNew<Modes> inCylinder;
+  inCylinder->SetInputData(found(box));
+  inCylinder->SetCylinderBase(cylinder.Base.data());
+  inCylinder->SetCylinderRadius(cylinder.Radius);
+  inCylinder->SetCylinderHeight(cylinder.Height);
+  inCylinder->Update();
+  vtkFieldData* fields = inCylinder->GetOutputDataObject(0)->GetFieldData();
+  EXPECT_EQ(fields->GetArray("BoxSize"), nullptr);
+  EXPECT_EQ(fields->GetArray("BoxPeriodic"), nullptr);
+  EXPECT_NE(fields->GetArray("CylinderRadius"), nullptr);
+  vtkNew<Modes> inBox;
+  inBox->SetInputData(found(cylinder));
+  inBox->SetBoxSize(Edge, Edge, Edge);
+  inBox->Update();
+  fields = inBox->GetOutputDataObject(0)->GetFieldData();
+  EXPECT_EQ(fields->GetArray("CylinderRadius"), nullptr);
+  EXPECT_NE(fields->GetArray("BoxSize"), nullptr);
 }
 
 TEST(ParticleModesRefusals, NothingLeft)
