@@ -17,6 +17,11 @@
 namespace
 {
 constexpr int MostNames = 100; // that are tried for a new file
+
+[[noreturn]] void FailToWrite(const std::string& name, int error)
+{
+  throw std::invalid_argument(ruc::Text("cannot write '", name, "': ", std::strerror(error)));
+}
 }
 
 NewFile::NewFile(std::string name)
@@ -39,8 +44,7 @@ NewFile::NewFile(std::string name)
   }
   if (this->Number < 0)
   {
-    throw std::invalid_argument(
-      ruc::Text("cannot write '", this->Fresh, "': ", std::strerror(errno)));
+    FailToWrite(this->Fresh, errno);
   }
 }
 
@@ -51,12 +55,6 @@ NewFile::~NewFile()
     close(this->Number);
     unlink(this->Fresh.c_str());
   }
-}
-
-void NewFile::Fail(int error)
-{
-  throw std::invalid_argument(
-    ruc::Text("cannot write '", this->Fresh, "': ", std::strerror(error)));
 }
 
 void NewFile::Append(std::string_view bytes)
@@ -70,7 +68,7 @@ void NewFile::Append(std::string_view bytes)
     }
     else if (errno != EINTR)
     {
-      this->Fail(errno);
+      FailToWrite(this->Fresh, errno);
     }
   }
 }
@@ -79,13 +77,62 @@ void NewFile::Keep()
 {
   if (fsync(this->Number) != 0)
   {
-    this->Fail(errno);
+    FailToWrite(this->Fresh, errno);
   }
   const int closed = close(std::exchange(this->Number, -1));
   if (closed != 0 || std::rename(this->Fresh.c_str(), this->Name.c_str()) != 0)
   {
     const int error = errno;
     unlink(this->Fresh.c_str());
-    this->Fail(error);
+    FailToWrite(this->Fresh, error);
+  }
+}
+
+void NewFile::Lengthen(std::uint64_t bytes)
+{
+  if (ftruncate(this->Number, static_cast<off_t>(bytes)) != 0)
+  {
+    FailToWrite(this->Fresh, errno);
+  }
+}
+
+PartOfNewFile::PartOfNewFile(const std::string& freshName)
+  : Fresh(freshName)
+  , Number(open(freshName.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC))
+{
+  if (this->Number < 0)
+  {
+    FailToWrite(this->Fresh, errno);
+  }
+}
+
+PartOfNewFile::~PartOfNewFile()
+{
+  close(this->Number);
+}
+
+void PartOfNewFile::WriteAt(std::uint64_t offset, std::string_view bytes)
+{
+  while (!bytes.empty())
+  {
+    const ssize_t written =
+      pwrite(this->Number, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (written > 0)
+    {
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+      offset += static_cast<std::uint64_t>(written);
+    }
+    else if (errno != EINTR)
+    {
+      FailToWrite(this->Fresh, errno);
+    }
+  }
+}
+
+void PartOfNewFile::Finish()
+{
+  if (fsync(this->Number) != 0)
+  {
+    FailToWrite(this->Fresh, errno);
   }
 }

@@ -4,6 +4,7 @@
 
 #include "RUCCommonModule.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -27,12 +28,34 @@ public:
   void operator=(const NewFile&) = delete;
 
   void Append(std::string_view bytes);
+  /** Makes the file so many bytes long, for others to write at their places (PartOfNewFile). */
+  void Lengthen(std::uint64_t bytes);
+  /** The name under which the bytes are written. */
+  const std::string& FreshName() const { return this->Fresh; }
   /** Puts the file in its place. */
   void Keep();
 
 private:
-  [[noreturn]] void Fail(int error);
-
   std::string Name, Fresh;
+  int Number = -1;
+};
+
+/** The file of a NewFile of another rank, into which this one writes its part. Throws as NewFile
+ * does. */
+class RUCCOMMON_EXPORT PartOfNewFile
+{
+public:
+  /** `freshName` is NewFile::FreshName. */
+  explicit PartOfNewFile(const std::string& freshName);
+  ~PartOfNewFile();
+  PartOfNewFile(const PartOfNewFile&) = delete;
+  void operator=(const PartOfNewFile&) = delete;
+
+  void WriteAt(std::uint64_t offset, std::string_view bytes);
+  /** Returns once all bytes are on the disk. */
+  void Finish();
+
+private:
+  std::string Fresh;
   int Number = -1;
 };
