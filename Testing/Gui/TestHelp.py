@@ -29,6 +29,7 @@ FORMULAS = {
     'filters.PeriodicReplicas': 'x + (i L_x, j L_y, k L_z)',
     'filters.PointsToSpherePack': 'centre = Scale × point; Radius = Scale × a for an array a of radii',
     'sources.SpherePackReader': 'position = Scale × (x, y, z)',
+    'writers.RawImageWriter': 'place i + n_x (j + n_y k) after the header',
     'writers.SpherePackWriter': 'diameter = 2 × Radius',
 }
 BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.ImageStatistics', 'filters.RadialDistribution')
