@@ -138,8 +138,8 @@ LocalLabels NumberLabels(const Image& image, const std::string& arrayName, RankC
   all.erase(std::unique(all.begin(), all.end()), all.end());
   if (all.size() > ruc::MostImageLabels)
   {
-    throw std::invalid_argument(Text("Image Statistics takes at most ", ruc::MostImageLabels,
-      " labels; ", arrayName.empty() ? std::string("the array") : arrayName, " has ",
+    throw std::invalid_argument(Text("takes at most ", ruc::MostImageLabels, " labels; ",
+      arrayName.empty() ? std::string("the array") : arrayName, " has ",
       all.size() < MostCounted ? "" : "at least ", all.size(), "."));
   }
   return local;

@@ -36,7 +36,8 @@ namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-constexpr double BytesOfVoxel = 4.0; // labels as they come, are sent and are kept, twice cut
+// Labels as they come, are sent and come again; later one byte of a voxel is kept
+constexpr double BytesToRead = 4.0, BytesOfVoxel = 1.0;
 
 std::vector<std::array<int, 2>> ParsePairs(const std::string& text, int modes)
 {
@@ -254,7 +255,9 @@ void vtkRUCImageStatistics::PlanMemory(
 {
   const ruc::ImageWork work(grid.Dimensions, settings, ranks.Size());
   const double labels = BytesOfVoxel * grid.Voxels() / ranks.Size() / ruc::BytesOfMegabyte;
-  this->RequireMemory(labels + work.ForSpectra(2).MegabytesOfRank, ranks);
+  this->RequireMemory(
+    std::max(labels + work.ForSpectra(2).MegabytesOfRank, labels / BytesOfVoxel * BytesToRead),
+    ranks);
   settings.Spectra = std::max(2, work.SpectraWithin(this->GetMemoryLimit() - labels));
 }
 

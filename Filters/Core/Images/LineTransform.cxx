@@ -122,28 +122,67 @@ RUC_INLINE void Butterfly5(const Source& from, std::ptrdiff_t in, const Target& 
   }
 }
 
-// A factor of any size p, by its p^2 terms
-RUC_INLINE void ButterflyAny(const Source& from, std::ptrdiff_t in, const Target& to,
+// An odd factor p of any size, by pairs of the numbers k and p - k: their sums go with cosines and
+// their differences with sines, for the results r and p - r together
+RUC_INLINE void ButterflyOdd(const Source& from, std::ptrdiff_t in, const Target& to,
   std::ptrdiff_t out, const double* cosine, const double* sine, const LineTransform::Stage& stage)
 {
-  const int factor = stage.Factor;
-  for (int r = 0; r < factor; ++r)
+  constexpr int most = LargestFactor / 2;
+  const int factor = stage.Factor, pairs = factor / 2;
+  double sumReal[most][Lanes], sumImaginary[most][Lanes];
+  double apartReal[most][Lanes], apartImaginary[most][Lanes];
+  double firstReal[Lanes], firstImaginary[Lanes];
+  for (int l = 0; l < Lanes; ++l)
   {
-    double real[Lanes] = {}, imaginary[Lanes] = {};
-    for (int k = 0; k < factor; ++k)
+    firstReal[l] = from.Real[l];
+    firstImaginary[l] = from.Imaginary[l];
+  }
+  for (int k = 0; k < pairs; ++k)
+  {
+    const std::ptrdiff_t a = (k + 1) * in, b = (factor - 1 - k) * in;
+    for (int l = 0; l < Lanes; ++l)
     {
-      const double c = stage.RootCosine[k * r % factor], s = stage.RootSine[k * r % factor];
+      sumReal[k][l] = from.Real[a + l] + from.Real[b + l];
+      sumImaginary[k][l] = from.Imaginary[a + l] + from.Imaginary[b + l];
+      apartReal[k][l] = from.Real[a + l] - from.Real[b + l];
+      apartImaginary[k][l] = from.Imaginary[a + l] - from.Imaginary[b + l];
+      firstReal[l] += sumReal[k][l];
+      firstImaginary[l] += sumImaginary[k][l];
+    }
+  }
+  for (int r = 1; r <= pairs; ++r)
+  {
+    double real[Lanes], imaginary[Lanes], turnedReal[Lanes] = {}, turnedImaginary[Lanes] = {};
+    for (int l = 0; l < Lanes; ++l)
+    {
+      real[l] = from.Real[l];
+      imaginary[l] = from.Imaginary[l];
+    }
+    for (int k = 0; k < pairs; ++k)
+    {
+      const int turn = (k + 1) * r % factor;
+      const double c = stage.RootCosine[turn], s = stage.RootSine[turn];
       for (int l = 0; l < Lanes; ++l)
       {
-        const double a = from.Real[k * in + l], b = from.Imaginary[k * in + l];
-        real[l] += a * c - b * s;
-        imaginary[l] += a * s + b * c;
+        real[l] += c * sumReal[k][l];
+        imaginary[l] += c * sumImaginary[k][l];
+        turnedReal[l] -= s * apartImaginary[k][l];
+        turnedImaginary[l] += s * apartReal[k][l];
       }
     }
     for (int l = 0; l < Lanes; ++l)
     {
-      Store(to, r * out + l, real[l], imaginary[l], cosine[r], sine[r]);
+      Store(to, r * out + l, real[l] + turnedReal[l], imaginary[l] + turnedImaginary[l], cosine[r],
+        sine[r]);
+      const int other = factor - r;
+      Store(to, other * out + l, real[l] - turnedReal[l], imaginary[l] - turnedImaginary[l],
+        cosine[other], sine[other]);
     }
+  }
+  for (int l = 0; l < Lanes; ++l)
+  {
+    to.Real[l] = firstReal[l];
+    to.Imaginary[l] = firstImaginary[l];
   }
 }
 
@@ -180,7 +219,7 @@ RUC_VECTOR_CLONES void Run(const LineTransform::Stage& stage, const double* __re
             from, in, to, stride, cosine, sine, stage.RootCosine.data(), stage.RootSine.data());
           break;
         default:
-          ButterflyAny(from, in, to, stride, cosine, sine, stage);
+          ButterflyOdd(from, in, to, stride, cosine, sine, stage);
       }
     }
   }
@@ -237,7 +276,7 @@ int LineTransform::FastLength(int least)
   for (int length = std::max(least, 1);; ++length)
   {
     int rest = length;
-    for (int factor : { 2, 3, 5 })
+    for (int factor : { 2, 3, 5, 7 })
     {
       for (; rest % factor == 0; rest /= factor)
       {

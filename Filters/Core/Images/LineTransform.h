@@ -36,7 +36,7 @@ public:
    */
   void Forward(double* real, double* imaginary, double* work) const;
 
-  /** Returns the least length >= `least` that has no prime factors but 2, 3 and 5. */
+  /** Returns the least length >= `least` that has no prime factors but 2, 3, 5 and 7. */
   static int FastLength(int least);
 
   /** A factor of n: its butterflies stand `Stride` numbers apart and there are `Count` of them. */

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <stdexcept>
 
 namespace ruc
@@ -257,7 +258,7 @@ private:
 };
 
 // How many of the `left` phases stay in so many places, while each phase after them comes to all of
-// these in one place more
+// these in one place more. The last of them stays for the next group.
 int GroupOf(int left, int places)
 {
   return left <= places ? left : places - 1;
@@ -268,7 +269,7 @@ double NumberOfSpectra(int phases, int places)
   double made = 0.0;
   for (int left = phases; left > 0; left -= GroupOf(left, places))
   {
-    made += left;
+    made += left < phases ? left - 1 : left;
   }
   return made;
 }
@@ -318,25 +319,28 @@ ImageTwoPoint CorrelateImage(const PhaseSlab& image, const ImageSettings& settin
   };
 
   std::vector<FourierTransform::Spectrum> group(places);
-  for (int first = 0, end = 0; first < phases; first = end)
+  std::vector<int> left(phases);
+  std::iota(left.begin(), left.end(), 0);
+  while (!left.empty())
   {
-    end = first + GroupOf(phases - first, places);
-    for (int r = first; r < end; ++r)
+    const int staying = GroupOf(static_cast<int>(left.size()), places);
+    for (int n = 0; n < static_cast<int>(left.size()); ++n)
     {
-      make(r, group[r - first]);
-      for (int s = first; s <= r; ++s)
+      FourierTransform::Spectrum& spectrum = n < staying ? group[n] : group.back();
+      if (n > 0 || static_cast<int>(left.size()) == phases)
       {
-        correlate(s, r, group[s - first], group[r - first]);
+        make(left[n], spectrum);
+      }
+      for (int m = 0; m < std::min(n + 1, staying); ++m)
+      {
+        correlate(left[m], left[n], group[m], spectrum);
       }
     }
-    for (int s = end; s < phases; ++s)
-    {
-      make(s, group.back());
-      for (int r = first; r < end; ++r)
-      {
-        correlate(r, s, group[r - first], group.back());
-      }
-    }
+    // The last phase is the first of the next group
+    std::swap(group.front(), group.back());
+    std::rotate(left.begin(), left.begin() + staying, left.end());
+    left.resize(left.size() - staying);
+    std::rotate(left.begin(), left.end() - (left.empty() ? 0 : 1), left.end());
   }
   return counts.Finish(ranks);
 }
@@ -374,7 +378,7 @@ Estimate ImageWork::ForSpectra(int spectra) const
 {
   // Nanoseconds of a number of a transform: of a spectrum, and of a product that is transformed
   // back to planes of lags
-  constexpr double ofSpectrum = 9e-9, ofProduct = 3e-9;
+  constexpr double ofSpectrum = 10e-9, ofProduct = 4.5e-9;
   Estimate estimate;
   estimate.Seconds = this->Padded *
     (ofSpectrum * NumberOfSpectra(this->Phases, std::max(spectra, 2)) +
