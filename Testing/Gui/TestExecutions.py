@@ -22,19 +22,24 @@ three_point = pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5
 of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=20)
 comparison = pv.CompareProbabilities(Input=two_point, Cell=of_cell)
 replicas = pv.PeriodicReplicas(Input=cell)
-labels = pv.LabelImage(Input=modes)
-filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, cell, three_point, of_cell, comparison, replicas,
-           labels]
+filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, cell, three_point, of_cell, comparison, replicas]
 
 runs = {}
-for source in filters:
-    algorithm = source.GetClientSideObject()  # the filter of rank 0 suffices, as an execution is collective
+
+
+def observe(source):
     runs[source] = 0
 
-    def count(*_, source=source):
+    def count(*_):
         runs[source] += 1
 
-    algorithm.AddObserver("StartEvent", count)
+    source.GetClientSideObject().AddObserver("StartEvent", count)  # the filter of rank 0 suffices, as an execution is collective
+
+
+for source in filters:
+    observe(source)
+labels = pv.LabelImage(Input=modes)  # which asks the pack for the extent of its image
+observe(labels)
 
 failures = []
 
