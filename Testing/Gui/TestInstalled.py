@@ -17,8 +17,10 @@ def say(text):
 PORT, PACK = sys.argv[1:3] if len(sys.argv) > 2 else (None, None)
 if PORT:
     simple.Connect('127.0.0.1', int(PORT))  # a bare system may not know the name localhost
-names = ('SpherePackReader', 'ParticleModes', 'TwoPointProbability', 'UnitCellReconstruction')
-found = [name for name in names if hasattr(simple, name)]
+names = {'SpherePackReader': 'sources', 'ParticleModes': 'filters', 'TwoPointProbability': 'filters', 'UnitCellReconstruction': 'filters'}
+# ParaView 6.1 leaves the functions of the client where the server cannot make what they promise
+proxies = simple.servermanager.ProxyManager()
+found = [name for name, group in names.items() if hasattr(simple, name) and proxies.HasDefinition(group, name)]
 say('found %d of %d' % (len(found), len(names)))
 if PORT and found:
     pack = simple.SpherePackReader(FileName=PACK, BoxSize=[10.0, 10.0, 10.0])
