@@ -20,7 +20,7 @@ def seconds():
     measured = ImageStatistics(Input=image, ImagePairs='')
     measured.UpdateVTKObjects()
     measured.SMProxy.UpdatePropertyInformation()
-    estimated = measured.GetProperty('EstimatedTime')
+    estimated = measured.GetProperty('EstimatedTime')[0]
     begin = time.perf_counter()
     measured.UpdatePipeline()
     taken = time.perf_counter() - begin
