@@ -60,7 +60,8 @@ class ThreePointPictures(Charts):
         for n, (flat, t) in enumerate(zip(flats, slices)):
             displays.append(Show(flat, view, "UniformGridRepresentation"))
             displays[-1].Representation = "Slice"
-            displays[-1].Position = [n * PITCH * reach, 0.0, -t * self.spacing[2]]
+            place = "Translation" if "Translation" in displays[-1].ListProperties() else "Position"  # its name before ParaView 5.13
+            displays[-1].GetProperty(place).SetData([n * PITCH * reach, 0.0, -t * self.spacing[2]])
             ColorBy(displays[-1], ("POINTS", triple))
         ranges = [flat.PointData[triple].GetRange() for flat in flats]
         low, high = min(r[0] for r in ranges), max(r[1] for r in ranges)
