@@ -148,7 +148,7 @@ ruc::VoxelGrid vtkRUCImageStatistics::FindGridHere()
   {
     info->Get(Pipeline::WHOLE_EXTENT(), extent);
   }
-  if (info->Has(vtkDataObject::SPACING()))
+  if (piece->GetNumberOfPoints() == 0 && info->Has(vtkDataObject::SPACING()))
   {
     info->Get(vtkDataObject::SPACING(), grid.Spacing.data());
   }
@@ -178,7 +178,8 @@ int vtkRUCImageStatistics::RequestInformation(
   try
   {
     const ruc::VoxelGrid grid = this->FindGridHere();
-    if (grid.Voxels() > 0.0)
+    // A source may not know its spacing before it runs
+    if (grid.Voxels() > 0.0 && grid.VoxelVolume() > 0.0)
     {
       lags =
         ruc::FindImageLags(grid.Dimensions, grid.Spacing, this->MaximumLag, this->NumberOfLags);
@@ -371,7 +372,7 @@ std::optional<ruc::Estimate> vtkRUCImageStatistics::MakeEstimate()
   constexpr double secondsPerVoxel = 3e-8; // to read labels and count runs
   this->ValidateProperties();
   const ruc::VoxelGrid grid = this->FindGridHere();
-  if (grid.Voxels() == 0.0)
+  if (grid.Voxels() == 0.0 || grid.VoxelVolume() == 0.0)
   {
     return {};
   }

@@ -44,6 +44,8 @@ def statistics_of_voxels():
         rms = math.sqrt(sum((a - b) ** 2 for a, b in zip(found[name][1:], of_spheres[name][1:])) / LAGS)
         assert rms < 3 * 3.4e-4, (name, rms)
         assert abs(found[name][0] - of_spheres[name][0]) < 2e-3, name
+    statistics.SMProxy.UpdatePropertyInformation()
+    assert statistics.GetProperty('EstimatedTime')[0] > 0.0 and statistics.GetProperty('EstimatedMemory')[0] > 0.0
     for port in (0, 1, 2, 3, 5, 6):
         remember('output %d' % port, numbers(columns(statistics, port)))
 
