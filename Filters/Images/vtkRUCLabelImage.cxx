@@ -141,9 +141,14 @@ void vtkRUCLabelImage::Announce(const ruc::VoxelGrid& grid, vtkInformation* info
 {
   info->Set(
     vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->ExtentOf(grid.Dimensions).data(), 6);
-  const ruc::Vector3 origin = this->OriginOf(grid);
-  info->Set(vtkDataObject::ORIGIN(), origin.data(), 3);
-  info->Set(vtkDataObject::SPACING(), grid.Spacing.data(), 3);
+  info->Remove(vtkDataObject::ORIGIN());
+  info->Remove(vtkDataObject::SPACING());
+  if (grid.Spacing[0] > 0.0) // else only the run knows them
+  {
+    const ruc::Vector3 origin = this->OriginOf(grid);
+    info->Set(vtkDataObject::ORIGIN(), origin.data(), 3);
+    info->Set(vtkDataObject::SPACING(), grid.Spacing.data(), 3);
+  }
 }
 
 ruc::LabelSettings vtkRUCLabelImage::GetSettings() const
