@@ -254,6 +254,16 @@ void vtkRUCLabelImage::Label(
   }
 }
 
+void vtkRUCLabelImage::RequireAnnounced(const ruc::VoxelGrid& grid) const
+{
+  const auto& n = grid.Dimensions;
+  ruc::Require(n == this->Announced, "Dimensions",
+    "three numbers >= 1 where the window changes with time",
+    ruc::Text("0 0 0, for which there would be ", n[0], " ", n[1], " ", n[2],
+      " voxels now and were ", this->Announced[0], " ", this->Announced[1], " ",
+      this->Announced[2]));
+}
+
 void vtkRUCLabelImage::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
@@ -264,12 +274,7 @@ void vtkRUCLabelImage::Execute(
   const ruc::LabelSettings settings = this->GetSettings();
   ruc::ValidateLabels(settings, share.NumberOfModes());
   const ruc::VoxelGrid grid = this->MakeGrid(share.Observed, share.MeanDiameter());
-  const auto& n = grid.Dimensions;
-  ruc::Require(n == this->Announced, "Dimensions",
-    "three numbers >= 1 where the window changes with time",
-    ruc::Text("0 0 0, for which there would be ", n[0], " ", n[1], " ", n[2],
-      " voxels now and were ", this->Announced[0], " ", this->Announced[1], " ",
-      this->Announced[2]));
+  this->RequireAnnounced(grid);
   this->Announce(grid, outputs->GetInformationObject(0));
   vtkImageData* image = vtkImageData::GetData(outputs);
   const ruc::VoxelBlock block = this->SetPiece(image, grid, ranks);

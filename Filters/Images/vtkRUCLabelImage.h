@@ -148,6 +148,8 @@ private:
   void RequireRoom(
     const ruc::VoxelBlock& block, const ruc::PackTotals& totals, RankCommunicator& ranks) const;
   // Adds the arrays, which are not yet set
+  // Refuses a grid that is not the one that filters downstream were told of
+  void RequireAnnounced(const ruc::VoxelGrid& grid) const;
   ruc::LabelArrays AddArrays(vtkImageData* image, int modes) const;
   // Throws std::invalid_argument on all ranks where the run was stopped
   void Label(const ruc::LabelImage& labels, int steps, const ruc::LabelArrays& arrays,

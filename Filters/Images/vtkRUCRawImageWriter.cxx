@@ -156,15 +156,11 @@ void vtkRUCRawImageWriter::Execute(
   ruc::Require(!this->FileName.empty(), "FileName", "the name of a file", "none");
   ruc::Require(this->ByteOrder == LITTLE_ENDIAN_BYTES || this->ByteOrder == BIG_ENDIAN_BYTES,
     "ByteOrder", "the value 0 or 1", this->ByteOrder);
-  ruc::RawImage image;
-  image.Header = this->FindHeader();
-  image.BigEndian = this->ByteOrder == BIG_ENDIAN_BYTES;
+  const ruc::RawHeader kind = this->FindHeader();
   const ruc::ValueMap map(this->Values);
   const ImagePiece piece =
     ImagePiece::Find(vtkImageData::GetData(inputs[0]), this->ImageArray, ranks);
-  image.Grid = piece.Grid;
-  image.Name = piece.Name;
-  DescribeType(piece.DataType, image);
+  ruc::RawImage image = this->DescribeImage(piece, kind);
   WithValues(piece.DataType, nullptr,
     [&](auto* values)
     {
@@ -185,21 +181,37 @@ void vtkRUCRawImageWriter::Execute(
   ranks.Agree(
     [&]()
     {
-      if (ranks.Rank() > 0)
+      if (ranks.Rank() == 0)
       {
-        return;
+        this->KeepFiles(*voxels, apart ? header : std::string());
       }
-      if (apart)
-      {
-        NewFile file(this->FileName);
-        file.Append(header);
-        voxels->Keep();
-        file.Keep();
-        return;
-      }
-      voxels->Keep();
     });
   this->Written = true;
+}
+
+ruc::RawImage vtkRUCRawImageWriter::DescribeImage(
+  const ImagePiece& piece, ruc::RawHeader header) const
+{
+  ruc::RawImage image;
+  image.Header = header;
+  image.BigEndian = this->ByteOrder == BIG_ENDIAN_BYTES;
+  image.Grid = piece.Grid;
+  image.Name = piece.Name;
+  DescribeType(piece.DataType, image);
+  return image;
+}
+
+void vtkRUCRawImageWriter::KeepFiles(NewFile& voxels, const std::string& header) const
+{
+  if (header.empty())
+  {
+    voxels.Keep();
+    return;
+  }
+  NewFile file(this->FileName);
+  file.Append(header);
+  voxels.Keep();
+  file.Keep();
 }
 
 int vtkRUCRawImageWriter::Write()

@@ -24,7 +24,11 @@
 namespace ruc
 {
 enum class RawHeader;
+struct RawImage;
 }
+
+struct ImagePiece;
+class NewFile;
 
 class RUCIMAGES_EXPORT vtkRUCRawImageWriter : public vtkRUCParallelAlgorithm
 {
@@ -97,6 +101,9 @@ private:
 
   ruc::RawHeader FindHeader() const;
   bool HasExtension(const char* extension) const;
+  ruc::RawImage DescribeImage(const ImagePiece& piece, ruc::RawHeader header) const;
+  // Puts the voxels, and the header if it is a file of its own, in their places. On rank 0 alone
+  void KeepFiles(NewFile& voxels, const std::string& header) const;
 
   std::string FileName;
   int Header = BY_EXTENSION;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 
 using Points = vtkRUCPointsToSpherePack;
 
@@ -97,12 +98,7 @@ struct Made
 
 double Sum(const std::vector<double>& values)
 {
-  double sum = 0.0;
-  for (double value : values)
-  {
-    sum += value;
-  }
-  return sum;
+  return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 void ExpectWarning(const Made& run, const std::vector<std::string>& parts)
@@ -406,42 +402,31 @@ TEST(PointsToSpherePack, ATableIsTakenByItsColumns)
     run.Output()->GetFieldData()->GetAbstractArray("LengthUnit")->GetVariantValue(0).ToString(),
     "mm");
 
-  vtkNew<vtkTable> other;
+  const auto refuses = [](vtkTable* other, const std::vector<std::string>& parts)
+  {
+    vtkNew<Points> filter;
+    const Errors errors(filter);
+    filter->SetInputDataObject(0, other);
+    filter->Update();
+    ExpectRefusal(filter, errors, parts);
+  };
+  vtkNew<vtkTable> nowhere, commas;
   if (Rank() == 0)
   {
-    other->AddColumn(table->GetColumn(0));
-    other->AddColumn(table->GetColumn(3));
+    nowhere->AddColumn(table->GetColumn(0));
+    nowhere->AddColumn(table->GetColumn(3));
+    commas->ShallowCopy(table);
+    vtkNew<vtkStringArray> y;
+    y->SetName("y");
+    y->SetNumberOfValues(table->GetNumberOfRows());
+    y->SetValue(0, "7");
+    y->SetValue(1, "1,5");
+    commas->RemoveColumn(1);
+    commas->AddColumn(y);
   }
-  vtkNew<Points> filter;
-  const Errors errors(filter);
-  filter->SetInputDataObject(0, other);
-  filter->Update();
-  ExpectRefusal(filter, errors,
+  refuses(nowhere,
     { Name, "Columns x, y and z are required, got 'X [mm]', 'Diameter'", "Table To Points" });
-
-  vtkNew<vtkStringArray> y; // as decimal commas make it
-  y->SetName("y");
-  if (Rank() == 0)
-  {
-    for (const char* text : { "7", "1,5", "2,5" })
-    {
-      y->InsertNextValue(text);
-    }
-    other->Initialize();
-    vtkNew<vtkDoubleArray> x, z;
-    x->SetName("x");
-    z->SetName("z");
-    x->SetNumberOfValues(3);
-    z->SetNumberOfValues(3);
-    other->AddColumn(x);
-    other->AddColumn(y);
-    other->AddColumn(z);
-  }
-  vtkNew<Points> commas;
-  const Errors told(commas);
-  commas->SetInputDataObject(0, other);
-  commas->Update();
-  ExpectRefusal(commas, told, { Name, "Column 'y' requires numbers", "got text such as '1,5'" });
+  refuses(commas, { Name, "Column 'y' requires numbers", "got text such as '1,5'" });
 }
 
 TEST(PointsToSpherePackRefusals, NoPoints)
