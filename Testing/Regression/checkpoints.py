@@ -47,6 +47,15 @@ def results(*searches, ranks=1):
     return [result for _, result in run(*searches, ranks=ranks)]
 
 
+def difference(got, expected, output):
+    """Where two results differ first, or what was said where there is none."""
+    if not got:
+        return 'got no result but ' + output[-500:]
+    places = [n for n, (a, b) in enumerate(zip(got.split(), expected.split())) if a != b]
+    return f'{len(got.split())} of {len(expected.split())} words, at {places[:5]} of which {len(places)} differ, got ' + ' '.join(
+        got.split()[n] for n in places[:5])
+
+
 def content(name):
     with open(name, 'rb') as file:
         return file.read()
@@ -128,7 +137,7 @@ def test_stopped():
                                  dict(limited, TimeLimit=1e-9, ContinueAfterStops=-1),  # a second stop, at once
                                  dict(limited, ContinueAfterStops=1), dict(limited, TimeLimit=0, ContinueAfterStops=2))
         for output, shown in (again[0], further[0]):
-            require(shown == stopped, f'{label} is shown as it was')
+            require(shown == stopped, f'{label} is shown as it was: {difference(shown, stopped, output)}')
             require('ContinueAfterStops to 1' in output, f'{label} says how to go on, got {output[-300:]}')
         output, shown = further[2]
         require('ContinueAfterStops to 2' in output and shown, f'{label} counts its stops, got {output[-300:]}')

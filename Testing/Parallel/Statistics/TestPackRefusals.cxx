@@ -122,7 +122,7 @@ TEST(PackRefusals, EstimatesOfShortArraysAreNotKnown)
 
 TEST(PackRefusals, RadiusAsText)
 {
-  RefusesData<TwoPoint>({ Name, "'Radius' requires numbers", "string" },
+  RefusesData<TwoPoint>({ Name, "'Radius' requires numbers", "got text" },
     [](vtkPolyData* d)
     {
       vtkNew<vtkStringArray> text;
