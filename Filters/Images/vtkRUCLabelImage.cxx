@@ -322,6 +322,18 @@ std::optional<ruc::Estimate> vtkRUCLabelImage::MakeEstimate()
   return estimate;
 }
 
+double vtkRUCLabelImage::GetMemoryToCheck()
+{
+  const std::optional<ruc::PackFigures> pack = this->FindFigures();
+  if (!pack)
+  {
+    return 0.0;
+  }
+  const ruc::Estimate estimate = ruc::EstimatePack(*pack);
+  return estimate.MegabytesOfRank +
+    estimate.MegabytesOfAll / RankCommunicator(this->GetController()).Size();
+}
+
 void vtkRUCLabelImage::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -236,7 +236,7 @@ PACKS = {
     'blocks of two kinds': blocks(pack(), table()),
 }
 IMAGES = {
-    'good': image(),
+    'good': image(values=lambda n: (numpy.arange(n) < n - 1).astype(float)),  # a mask with a voxel outside; two labels
     'values on cells': image(on_cells=True),
     'dimensions 0': image(size=0),
     'one voxel': image(size=1),

@@ -11,6 +11,7 @@
 #include "vtkInformation.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <cmath>
 #include <limits>
 
 using LabelImage = vtkRUCLabelImage;
@@ -240,6 +241,26 @@ TEST(LabelImageRefusals, ImagesBeyondTheMemory)
   filter->SetDimensions(4000, 4000, 4000);
   filter->Update();
   ExpectRefusal(filter, errors, parts);
+}
+
+TEST(LabelImage, TheSizeOfVoxelsIsThatOfTheSpheresOfAllRanks)
+{
+  // A rank that has the small spheres alone would want 10^21 voxels
+  ruc::SpherePack pack;
+  pack.X = { 0.5 * Edge, 0.1 * Edge, 0.9 * Edge, 0.1 * Edge };
+  pack.Y = pack.Z = pack.X;
+  pack.Y[3] = 0.9 * Edge;
+  pack.Radius = { 0.2 * Edge, 1e-7 * Edge, 1e-7 * Edge, 1e-7 * Edge };
+  pack.Mode = { 2, 1, 1, 1 };
+  pack.Id = { 1, 2, 3, 4 };
+  vtkNew<LabelImage> filter;
+  const Errors errors(filter);
+  filter->SetInputData(MakePolyData(pack, Edge, true, IsMine));
+  filter->Update();
+  EXPECT_TRUE(errors.Texts.empty()) << errors.Texts.front();
+  // The mean diameter by volume, 0.4 Edge / cbrt(4), has 20 voxels
+  const long long n = std::lround(20.0 * std::cbrt(4.0) / 0.4);
+  EXPECT_EQ(Total(ImageOf(filter)->GetNumberOfCells()), n * n * n);
 }
 
 TEST(LabelImage, AStoppedRunHasNoImage)
