@@ -21,6 +21,7 @@ SEARCHES = {
     'population': ({'Method': 'Annealed Population', 'Population': 24, 'MatingPool': 4, 'MaximumGenerations': 40}, 3),
     'hybrid': ({'Method': 'Hybrid', 'HybridPopulation': 4, 'RefinementSteps': 20, 'MaximumGenerations': 25}, 3),
 }
+RESULTS = os.path.join(FOLDER, 'results.json')
 chance = random.Random(61301)
 
 
@@ -30,17 +31,18 @@ def require(good, what):
 
 
 def start(searches, ranks=1):
-    command = [PVBATCH, SEARCH, json.dumps(searches)]
+    command = [PVBATCH, SEARCH, json.dumps(searches), RESULTS]
     if ranks > 1:
         command = [MPIEXEC, '--oversubscribe', '-np', str(ranks)] + command
     return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
 
 
 def run(*searches, ranks=1):
-    """For each of the searches, which one process does one after the other: its output, and the result in it or None."""
+    """For each of the searches, which one process does one after the other: its output, and its result or None."""
     outputs = start(searches, ranks).communicate(timeout=120)[0].split('END\n')
     require(len(outputs) > len(searches), f'all searches come to an end, got {outputs[-1][-2000:]}')
-    return [(output, next((line for line in output.splitlines() if line.startswith('RESULT')), None)) for output in outputs[:len(searches)]]
+    with open(RESULTS) as file:
+        return list(zip(outputs, json.load(file)))
 
 
 def results(*searches, ranks=1):
