@@ -4,6 +4,7 @@
 
 #include "PackData.h"
 #include "RankCommunicator.h"
+#include "VoxelPiece.h"
 #include "ruc/Base/Text.h"
 
 #include "vtkCellData.h"
@@ -26,16 +27,14 @@ using ruc::Text;
 // What a rank has, as the others must know it
 struct Slab
 {
-  ruc::VoxelBlock Block;
-  ruc::Vector3 Origin{}, Spacing{};
-  bool OfPoints = false;
+  VoxelPiece Voxels;
   int DataType = 0;
   std::string Name;
 
   template <class Self>
   static auto Fields(Self& self)
   {
-    return std::tie(self.Block, self.Origin, self.Spacing, self.OfPoints, self.DataType, self.Name);
+    return std::tie(self.Voxels, self.DataType, self.Name);
   }
 };
 
@@ -78,7 +77,8 @@ vtkDataArray* ReadSlab(vtkImageData* image, const std::string& name, Slab& slab)
 {
   CheckImage(image);
   vtkDataArray* array = FindArray(image->GetCellData(), name);
-  slab.OfPoints = !array;
+  VoxelPiece& voxels = slab.Voxels;
+  voxels.OfPoints = !array;
   array = array ? array : FindArray(image->GetPointData(), name);
   if (!array)
   {
@@ -95,51 +95,26 @@ vtkDataArray* ReadSlab(vtkImageData* image, const std::string& name, Slab& slab)
   const int* extent = image->GetExtent();
   for (int q = 0; q < 3; ++q)
   {
-    slab.Block.First[q] = extent[2 * q];
-    slab.Block.Count[q] = std::max(extent[2 * q + 1] - extent[2 * q] + (slab.OfPoints ? 1 : 0), 0);
-    slab.Origin[q] = image->GetOrigin()[q];
-    slab.Spacing[q] = image->GetSpacing()[q];
+    voxels.Block.First[q] = extent[2 * q];
+    voxels.Block.Count[q] =
+      std::max(extent[2 * q + 1] - extent[2 * q] + (voxels.OfPoints ? 1 : 0), 0);
+    voxels.Origin[q] = image->GetOrigin()[q];
+    voxels.Spacing[q] = image->GetSpacing()[q];
   }
-  if (static_cast<std::size_t>(array->GetNumberOfTuples()) < slab.Block.Voxels())
+  if (static_cast<std::size_t>(array->GetNumberOfTuples()) < voxels.Block.Voxels())
   {
     throw std::invalid_argument(Text("Array '", array->GetName(), "' requires a value for each of ",
-      slab.Block.Voxels(), " voxels, got ", array->GetNumberOfTuples(), "."));
+      voxels.Block.Voxels(), " voxels, got ", array->GetNumberOfTuples(), "."));
   }
   slab.DataType = array->GetDataType();
   slab.Name = array->GetName();
-  return slab.Block.Voxels() > 0 ? array : nullptr;
+  return voxels.Block.Voxels() > 0 ? array : nullptr;
 }
 
 bool AreOfOneImage(const Slab& a, const Slab& b)
 {
-  return std::tie(a.Origin, a.Spacing, a.OfPoints, a.DataType, a.Name) ==
-    std::tie(b.Origin, b.Spacing, b.OfPoints, b.DataType, b.Name);
-}
-
-// Returns the voxels of all slabs together, and the place of the first
-ruc::VoxelBlock FindWhole(const std::vector<Slab>& slabs)
-{
-  ruc::VoxelBlock whole = slabs.front().Block;
-  double voxels = 0.0;
-  for (const Slab& slab : slabs)
-  {
-    for (int q = 0; q < 3; ++q)
-    {
-      const int end =
-        std::max(whole.First[q] + whole.Count[q], slab.Block.First[q] + slab.Block.Count[q]);
-      whole.First[q] = std::min(whole.First[q], slab.Block.First[q]);
-      whole.Count[q] = end - whole.First[q];
-    }
-    voxels += static_cast<double>(slab.Block.Voxels());
-  }
-  // Pieces of points share planes
-  const double all = 1.0 * whole.Count[0] * whole.Count[1] * whole.Count[2];
-  if (voxels < all)
-  {
-    throw std::invalid_argument(Text(
-      "Input requires all ", all, " voxels of the image on the ranks together, got ", voxels, "."));
-  }
-  return whole;
+  return std::tie(a.Voxels.Origin, a.Voxels.Spacing, a.Voxels.OfPoints, a.DataType, a.Name) ==
+    std::tie(b.Voxels.Origin, b.Voxels.Spacing, b.Voxels.OfPoints, b.DataType, b.Name);
 }
 }
 
@@ -156,34 +131,37 @@ ImagePiece ImagePiece::Find(
         piece.Array = ReadSlab(image, arrayName, own);
       }
     });
-  std::vector<Slab> slabs = ranks.AllGather(own);
-  slabs.erase(std::remove_if(slabs.begin(), slabs.end(),
-                [](const Slab& slab) { return slab.Block.Voxels() == 0; }),
-    slabs.end());
-  if (slabs.empty())
+  const std::vector<Slab> slabs = ranks.AllGather(own);
+  const Slab* first = nullptr; // that has voxels
+  std::vector<VoxelPiece> pieces;
+  double voxels = 0.0;
+  for (const Slab& slab : slabs)
+  {
+    pieces.push_back(slab.Voxels);
+    if (slab.Voxels.Block.Voxels() == 0)
+    {
+      continue;
+    }
+    first = first ? first : &slab;
+    voxels += static_cast<double>(slab.Voxels.Block.Voxels());
+    if (!AreOfOneImage(slab, *first))
+    {
+      throw std::invalid_argument(Text("Input requires pieces of one image, got arrays '",
+        first->Name, "' and '", slab.Name, "' or other types, origins or spacings."));
+    }
+  }
+  if (!first)
   {
     throw std::invalid_argument("Input requires an image with voxels, got none.");
   }
-  const Slab& first = slabs.front();
-  for (const Slab& slab : slabs)
+  piece.Grid = VoxelInput::FindGrid(pieces);
+  if (voxels < piece.Grid.Voxels()) // pieces of points share planes
   {
-    if (!AreOfOneImage(slab, first))
-    {
-      throw std::invalid_argument(Text("Input requires pieces of one image, got arrays '",
-        first.Name, "' and '", slab.Name, "' or other types, origins or spacings."));
-    }
+    throw std::invalid_argument(Text("Input requires all ", piece.Grid.Voxels(),
+      " voxels of the image on the ranks together, got ", voxels, "."));
   }
-  const ruc::VoxelBlock whole = FindWhole(slabs);
-  piece.Block = own.Block;
-  piece.Grid.Dimensions = whole.Count;
-  piece.Grid.Spacing = first.Spacing;
-  for (int q = 0; q < 3; ++q)
-  {
-    piece.Block.First[q] -= piece.Array ? whole.First[q] : 0;
-    piece.Grid.Lower[q] =
-      first.Origin[q] + (whole.First[q] - (first.OfPoints ? 0.5 : 0.0)) * first.Spacing[q];
-  }
-  piece.Name = first.Name;
-  piece.DataType = first.DataType;
+  piece.Block = pieces[static_cast<std::size_t>(ranks.Rank())].Block;
+  piece.Name = first->Name;
+  piece.DataType = first->DataType;
   return piece;
 }

@@ -133,7 +133,8 @@ LocalLabels NumberLabels(const Image& image, const std::string& arrayName, RankC
         { local.Block.Phases.push_back(static_cast<std::uint8_t>(numbering.Find(value))); });
       local.Labels = numbering.Labels();
     });
-  std::vector<std::int64_t> all = ranks.Concatenate(local.Labels);
+  std::vector<std::int64_t>& all = local.OfAllRanks;
+  all = ranks.Concatenate(local.Labels);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   if (all.size() > ruc::MostImageLabels)
@@ -145,12 +146,9 @@ LocalLabels NumberLabels(const Image& image, const std::string& arrayName, RankC
   return local;
 }
 
-std::vector<std::int64_t> FindPhases(
-  const LocalLabels& labels, int matrixLabel, RankCommunicator& ranks)
+std::vector<std::int64_t> FindPhases(const LocalLabels& labels, int matrixLabel)
 {
-  std::vector<std::int64_t> phases = ranks.Concatenate(labels.Labels);
-  std::sort(phases.begin(), phases.end());
-  phases.erase(std::unique(phases.begin(), phases.end()), phases.end());
+  std::vector<std::int64_t> phases = labels.OfAllRanks;
   const auto matrix = std::find(phases.begin(), phases.end(), matrixLabel);
   if (matrix == phases.end() || phases.size() < 2)
   {

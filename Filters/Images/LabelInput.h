@@ -37,6 +37,7 @@ struct LocalLabels
 {
   ruc::PhaseBlock Block;
   std::vector<std::int64_t> Labels;
+  std::vector<std::int64_t> OfAllRanks; // in rising order
 };
 
 /**
@@ -49,10 +50,9 @@ LocalLabels NumberLabels(const Image& image, const std::string& arrayName, RankC
 /**
  * Returns the labels of all ranks: the matrix last, the others in rising order. Throws
  * std::invalid_argument, the same on every rank, where no voxel has the label of the matrix or any
- * other. Collective.
+ * other.
  */
-std::vector<std::int64_t> FindPhases(
-  const LocalLabels& labels, int matrixLabel, RankCommunicator& ranks);
+std::vector<std::int64_t> FindPhases(const LocalLabels& labels, int matrixLabel);
 
 /** Renumbers the voxels by the places of their labels in `phases`. */
 void Renumber(LocalLabels& labels, const std::vector<std::int64_t>& phases);

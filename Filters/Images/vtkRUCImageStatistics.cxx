@@ -185,7 +185,7 @@ int vtkRUCImageStatistics::RequestInformation(
         ruc::FindImageLags(grid.Dimensions, grid.Spacing, this->MaximumLag, this->NumberOfLags);
     }
   }
-  catch (const std::invalid_argument&)
+  catch (const std::exception&)
   {
     // The run says what is wrong
   }
@@ -231,7 +231,7 @@ ruc::PhaseSlab vtkRUCImageStatistics::ReadPhases(const LabelInput::Image& image,
   std::vector<std::int64_t>& labels, RankCommunicator& ranks)
 {
   LabelInput::LocalLabels local = LabelInput::NumberLabels(image, this->PhaseArray, ranks);
-  labels = LabelInput::FindPhases(local, this->MatrixLabel, ranks);
+  labels = LabelInput::FindPhases(local, this->MatrixLabel);
   LabelInput::Renumber(local, labels);
   ruc::PhaseSlab slab = ruc::SpreadPhases(local.Block, image.Grid.Dimensions, 2, ranks);
   if (this->HasMask())

@@ -127,7 +127,7 @@ int vtkRUCLabelImage::RequestInformation(
     {
       grid = this->FindGrid(inputs, outputs);
     }
-    catch (const std::invalid_argument&)
+    catch (const std::exception&)
     {
       // The run says what is wrong
     }

@@ -127,8 +127,8 @@ protected:
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
   std::optional<ruc::Estimate> MakeEstimate() override;
   /**
-   * The memory of the pack. That of the voxels is checked once it is known how many there are, since
-   * the mean diameter is that of the spheres of all ranks.
+   * The memory of the pack. That of the voxels is checked once it is known how many there are,
+   * since the mean diameter is that of the spheres of all ranks.
    */
   double GetMemoryToCheck() override;
 
