@@ -91,9 +91,11 @@ double vtkRUCThreePointProbability::GetEstimatedMemory()
     {
       return 0.0;
     }
+    const std::optional<ruc::PackFigures> pack = this->FindFigures();
     return this->EstimateMemory(
              ruc::ParseTriples(this->Phases, number).size(), true, ranks.Size()) +
-      this->EstimateRegion().MegabytesOfRank;
+      this->EstimateRegion().MegabytesOfRank +
+      (pack ? ruc::EstimatePairSum(*pack, this->MakeLags(*pack)).MegabytesOfRank : 0.0);
   }
   catch (const std::exception&)
   {
@@ -106,6 +108,13 @@ double vtkRUCThreePointProbability::GetMemoryToCheck()
   return this->EstimateRegion().MegabytesOfRank;
 }
 
+ruc::LagGrid vtkRUCThreePointProbability::MakeLags(const ruc::PackFigures& pack) const
+{
+  const ruc::LagLimit limit =
+    ruc::LagLimit::ForFans(pack.Observed, pack.Observed.Shrunk(pack.LargestRadius));
+  return limit.MakeGrid(this->MaximumLag, this->NumberOfLags);
+}
+
 std::optional<ruc::Estimate> vtkRUCThreePointProbability::MakeEstimate()
 {
   const std::optional<ruc::PackFigures> pack = this->FindFigures();
@@ -114,10 +123,7 @@ std::optional<ruc::Estimate> vtkRUCThreePointProbability::MakeEstimate()
   {
     return {};
   }
-  const ruc::LagLimit limit =
-    ruc::LagLimit::ForFans(pack->Observed, pack->Observed.Shrunk(pack->LargestRadius));
-  const ruc::ThreePointGrid grid = { limit.MakeGrid(this->MaximumLag, this->NumberOfLags),
-    this->NumberOfDirections };
+  const ruc::ThreePointGrid grid = { this->MakeLags(*pack), this->NumberOfDirections };
   ruc::Estimate estimate = ruc::EstimatePack(*pack);
   if (this->MaximumLag == 0.0)
   {
