@@ -112,8 +112,10 @@ double PrintPack(const char* what, const ruc::SpherePack& pack, double reference
   const ruc::FoundWindow found = ruc::FindWindow(pack, std::nullopt, {}, alone);
   const double fraction = found.Observed ? oracle::FractionIn(pack, *found.Observed) : 0.0;
   const ruc::PackBounds bounds(pack, std::nullopt, alone);
-  std::printf("%-28s V %.2f, e %.2f, %.4f, deep %.4f, error %+.4f; %s\n", what, bounds.VolumeMean,
-    found.Erosion, fraction, reference, fraction - reference, found.Faces.c_str());
+  const double volume = found.Observed ? oracle::FractionByPoints(pack, *found.Observed) : 0.0;
+  std::printf("%-28s V %.2f, e %.2f, %.4f (%.4f of its volume), deep %.4f, error %+.4f; %s\n", what,
+    bounds.VolumeMean, found.Erosion, fraction, volume, reference, fraction - reference,
+    found.Faces.c_str());
   for (const std::string& warning : found.Warnings)
   {
     std::printf("    %s\n", warning.c_str());
