@@ -1,7 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Searches one after the other, for checkpoints.py, which kills them and starts them again. After each a line END; at last a file with all of
-their results as text, every bit of them, or null where there is none."""
+"""Searches one after the other, for checkpoints.py, which kills them and starts them again.
+
+    pvbatch checkpoint_search.py SEARCHES RESULTS MESSAGES
+
+MESSAGES gets what is said, with a line END after each search; at last RESULTS gets all of their results as text, every bit of them, or null
+where there is none."""
 import json
 import os
 import sys
@@ -12,8 +16,10 @@ from paraview.simple import *
 
 from harness import fetch, leaves
 
-# Messages stand between the results as they were printed, which two pipes would not keep
-os.dup2(1, 2)
+# Not through mpiexec, which mixes what the ranks say and was seen to lose some of it
+messages = os.open(sys.argv[3], os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_APPEND)
+for stream in (1, 2):
+    os.dup2(messages, stream)
 pack_file = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../Examples/Data/bead_block.csv')
 reader = SpherePackReader(FileName=pack_file, BoxSize=[1445.372, 1287.892, 789.106])
 modes = ParticleModes(Input=reader, NumberOfModes=4)
@@ -33,6 +39,5 @@ for settings in json.loads(sys.argv[1]):
     Delete(search)
     results.append(' '.join(result) or None)
     print('END', flush=True)
-# Not to the output, in which mpiexec mixes what the ranks say
 with open(sys.argv[2], 'w') as file:
     json.dump(results, file)

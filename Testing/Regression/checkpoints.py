@@ -21,7 +21,7 @@ SEARCHES = {
     'population': ({'Method': 'Annealed Population', 'Population': 24, 'MatingPool': 4, 'MaximumGenerations': 40}, 3),
     'hybrid': ({'Method': 'Hybrid', 'HybridPopulation': 4, 'RefinementSteps': 20, 'MaximumGenerations': 25}, 3),
 }
-RESULTS = os.path.join(FOLDER, 'results.json')
+RESULTS, MESSAGES = (os.path.join(FOLDER, name) for name in ('results.json', 'messages.txt'))
 chance = random.Random(61301)
 
 
@@ -31,16 +31,19 @@ def require(good, what):
 
 
 def start(searches, ranks=1):
-    command = [PVBATCH, SEARCH, json.dumps(searches), RESULTS]
+    command = [PVBATCH, SEARCH, json.dumps(searches), RESULTS, MESSAGES]
     if ranks > 1:
         command = [MPIEXEC, '--oversubscribe', '-np', str(ranks)] + command
     return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
 
 
 def run(*searches, ranks=1):
-    """For each of the searches, which one process does one after the other: its output, and its result or None."""
-    outputs = start(searches, ranks).communicate(timeout=120)[0].split('END\n')
-    require(len(outputs) > len(searches), f'all searches come to an end, got {outputs[-1][-2000:]}')
+    """For each of the searches, which one process does one after the other: what it said, and its result or None."""
+    open(MESSAGES, 'w').close()  # so that no earlier run is taken for one that does not even begin
+    output = start(searches, ranks).communicate(timeout=120)[0]
+    with open(MESSAGES) as file:
+        outputs = file.read().split('END\n')
+    require(len(outputs) > len(searches), f'all searches come to an end, got {output[-2000:]}{outputs[-1][-2000:]}')
     with open(RESULTS) as file:
         return list(zip(outputs, json.load(file)))
 
