@@ -75,7 +75,7 @@ std::string ListOfFormats()
 }
 
 const PackFormat& ChooseFormat(
-  ByteStream& bytes, const std::string& name, const ReadSettings& settings)
+  ByteStream& bytes, std::string_view name, const ReadSettings& settings)
 {
   for (const PackFormat* format : PackFormats())
   {
@@ -157,8 +157,9 @@ std::vector<double> FrameTimes(const std::vector<FramePlace>& frames)
 FramePack ReadPack(std::string_view bytes)
 {
   const std::unique_ptr<ByteStream> unpacked = Unpack(std::make_unique<MemoryBytes>(bytes));
-  const PackFormat& format = ChooseFormat(*unpacked, AutomaticFormat, {});
-  return MakePack(ReadFrame(format, *unpacked, format.Scan(*unpacked), 0, {}), {});
+  const ReadSettings settings;
+  const PackFormat& format = ChooseFormat(*unpacked, AutomaticFormat, settings);
+  return MakePack(ReadFrame(format, *unpacked, format.Scan(*unpacked), 0, settings), {});
 }
 
 const PackFormat& FormatOfExtension(std::string_view extension)

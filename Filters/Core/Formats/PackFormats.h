@@ -104,7 +104,7 @@ constexpr const char* AutomaticFormat = "Automatic";
  * bytes that no format recognises; and for files of VTK, which ParaView reads itself.
  */
 const PackFormat& ChooseFormat(
-  ByteStream& bytes, const std::string& name, const ReadSettings& settings);
+  ByteStream& bytes, std::string_view name, const ReadSettings& settings);
 
 /**
  * Reads the n-th frame, counted from 0. Throws std::invalid_argument, which names the frame if
