@@ -184,13 +184,10 @@ ruc::Vector3 vtkRUCLabelImage::OriginOf(const ruc::VoxelGrid& grid) const
   return this->ArrayOn == POINTS ? grid.CentreOf(0, 0, 0) : grid.Lower;
 }
 
-ruc::VoxelBlock vtkRUCLabelImage::SetPiece(
-  vtkImageData* image, const ruc::VoxelGrid& grid, const RankCommunicator& ranks) const
+ruc::VoxelBlock vtkRUCLabelImage::SetPiece(vtkImageData* image, const ruc::VoxelGrid& grid,
+  const ruc::PackTotals& totals, RankCommunicator& ranks) const
 {
   std::array<int, 6> extent = ImageSlab::PieceOf(this->ExtentOf(grid.Dimensions), ranks);
-  image->SetExtent(extent.data());
-  image->SetSpacing(grid.Spacing.data());
-  image->SetOrigin(this->OriginOf(grid).data());
   ruc::VoxelBlock block;
   for (int q = 0; q < 3; ++q)
   {
@@ -198,6 +195,10 @@ ruc::VoxelBlock vtkRUCLabelImage::SetPiece(
     block.Count[q] =
       std::max(extent[2 * q + 1] - extent[2 * q] + (this->ArrayOn == POINTS ? 1 : 0), 0);
   }
+  this->RequireRoom(block, totals, ranks);
+  image->SetExtent(extent.data());
+  image->SetSpacing(grid.Spacing.data());
+  image->SetOrigin(this->OriginOf(grid).data());
   return block;
 }
 
@@ -210,6 +211,9 @@ void vtkRUCLabelImage::RequireRoom(
   {
     megabytes += voxels / ruc::BytesOfMegabyte;
   }
+  // Since VTK 9.4 an image has the coordinates along its edges, as soon as it has an extent
+  const double edges = 1.0 * block.Count[0] + block.Count[1] + block.Count[2];
+  megabytes += sizeof(double) * edges / ruc::BytesOfMegabyte;
   this->RequireMemory(megabytes, ranks);
 }
 
@@ -277,8 +281,7 @@ void vtkRUCLabelImage::Execute(
   this->RequireAnnounced(grid);
   this->Announce(grid, outputs->GetInformationObject(0));
   vtkImageData* image = vtkImageData::GetData(outputs);
-  const ruc::VoxelBlock block = this->SetPiece(image, grid, ranks);
-  this->RequireRoom(block, share, ranks);
+  const ruc::VoxelBlock block = this->SetPiece(image, grid, share, ranks);
   const double overlap = this->CheckOverlap(share, false, ranks);
 
   const std::int64_t raise = this->ParticleIds ? ruc::FindRaise(spheres, ranks) : 0;

@@ -147,9 +147,10 @@ private:
   std::array<double, 3> OriginOf(const ruc::VoxelGrid& grid) const;
   // Announces the image of a grid
   void Announce(const ruc::VoxelGrid& grid, vtkInformation* info);
-  // Gives the image its piece of the grid, and returns which voxels that has
-  ruc::VoxelBlock SetPiece(
-    vtkImageData* image, const ruc::VoxelGrid& grid, const RankCommunicator& ranks) const;
+  // Gives the image its piece of the grid, where there is room for it, and returns which voxels
+  // that has
+  ruc::VoxelBlock SetPiece(vtkImageData* image, const ruc::VoxelGrid& grid,
+    const ruc::PackTotals& totals, RankCommunicator& ranks) const;
   void RequireRoom(
     const ruc::VoxelBlock& block, const ruc::PackTotals& totals, RankCommunicator& ranks) const;
   // Adds the arrays, which are not yet set
