@@ -79,8 +79,7 @@ public:
         }
         --left;
       }
-#pragma omp master
-      while (left > 0 && goesOn())
+      while (omp_get_thread_num() == 0 && left > 0 && goesOn())
       {
         std::this_thread::sleep_for(std::chrono::milliseconds(1)); // other threads still work
       }
