@@ -108,6 +108,12 @@ double vtkRUCThreePointProbability::GetMemoryToCheck()
   return this->EstimateRegion().MegabytesOfRank;
 }
 
+double vtkRUCThreePointProbability::EstimateLimits(const ruc::LagGrid& lags)
+{
+  const std::optional<ruc::PackFigures> pack = this->FindFigures();
+  return pack ? ruc::EstimatePairSum(*pack, lags).MegabytesOfRank : 0.0;
+}
+
 ruc::LagGrid vtkRUCThreePointProbability::MakeLags(const ruc::PackFigures& pack) const
 {
   const ruc::LagLimit limit =
@@ -146,13 +152,14 @@ void vtkRUCThreePointProbability::Execute(
     ruc::ParseTriples(this->Phases, share.NumberOfModes());
   const std::unique_ptr<ruc::SamplingRegion> region = this->MakeRegion(pack, ranks);
   const ruc::ThreePointGrid grid = this->FindGrid(share, *region);
-  const double memory = this->CheckWork(*region, grid, triples.size(), ranks);
+  double memory = this->CheckWork(*region, grid, triples.size(), ranks);
   const ruc::ThreePointProbability probability =
     this->Sample(share, *region, grid, triples, memory, ranks, report);
 
   const bool exact = !this->HasMask() && overlap <= PackData::TolerableOverlap;
   const ruc::TwoPointProbability twoPoint =
     this->MeasureTwoPoint(pack, exact, *region, grid.Lags, ranks, report);
+  memory += exact ? this->EstimateLimits(grid.Lags) : 0.0;
   this->FillImage(probability, outputs, ranks);
   if (ranks.Rank() == 0)
   {

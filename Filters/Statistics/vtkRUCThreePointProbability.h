@@ -141,6 +141,8 @@ private:
 
   // The megabytes of a rank
   double EstimateMemory(std::size_t triples, bool bounded, int ranks) const;
+  // The megabytes of a rank for the exact pair sum that the limits are of
+  double EstimateLimits(const ruc::LagGrid& lags);
   // The lags of an estimate
   ruc::LagGrid MakeLags(const ruc::PackFigures& pack) const;
   // Returns the lags, also where they are automatic, and the angles
