@@ -15,6 +15,8 @@ namespace ruc
 enum class RandomStream : std::uint32_t
 {
   CellCentres = 0,
+  Velocity = 0x03e10c00u, // and the stream after it
+  Exchange = 0x05a9e000u,
   MutationOperator = 0x09e7a700u,
   Shaking = 0x5ba4e000u, // + the attempt
   MatingPool = 0x5e1ec700u,

@@ -22,6 +22,32 @@ struct ContactEnergy
   bool Free = true; // whether no two spheres overlap
 };
 
+const std::vector<double>& CoordinatesAlong(const SpherePack& pack, int axis)
+{
+  return axis == 0 ? pack.X : axis == 1 ? pack.Y : pack.Z;
+}
+
+// Adds what the two walls across an axis add: the sum of (reach a - distance)+^2
+void AddWalls(const SpherePack& pack, const Window& box, int axis, double reach,
+  ContactEnergy& energy, double* gradient)
+{
+  const std::vector<double>& along = CoordinatesAlong(pack, axis);
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    const double low = along[i] - box.Origin[axis], high = box.Size[axis] - low;
+    for (double distance : { low, high })
+    {
+      const double overlap = reach * pack.Radius[i] - distance;
+      if (overlap > 0.0)
+      {
+        energy.Free = energy.Free && distance >= pack.Radius[i];
+        energy.Value += overlap * overlap;
+        gradient[3 * i + axis] += distance == low ? -2.0 * overlap : 2.0 * overlap;
+      }
+    }
+  }
+}
+
 ContactEnergy FindContactEnergy(
   const SpherePack& pack, const Window& box, double reach, double* gradient)
 {
@@ -42,7 +68,32 @@ ContactEnergy FindContactEnergy(
         gradient[3 * j + q] -= pull * difference[q];
       }
     });
+  for (int q = 0; q < 3; ++q)
+  {
+    if (!box.Periodic[q])
+    {
+      AddWalls(pack, box, q, reach, energy, gradient);
+    }
+  }
   return energy;
+}
+
+// Whether no two spheres overlap, and none a wall
+bool IsFree(const SpherePack& pack, const Window& box)
+{
+  for (int q = 0; q < 3; ++q)
+  {
+    const std::vector<double>& along = CoordinatesAlong(pack, q);
+    for (std::size_t i = 0; i < pack.Size() && !box.Periodic[q]; ++i)
+    {
+      const double low = along[i] - box.Origin[q];
+      if (std::min(low, box.Size[q] - low) < pack.Radius[i])
+      {
+        return false;
+      }
+    }
+  }
+  return MeasureOverlap(pack, box).IsNone();
 }
 
 // Moves every sphere by up to half the smallest radius along each axis
@@ -100,7 +151,7 @@ bool RemoveOverlap(
   std::uint32_t attempt = 0;
   for (double enlargement : Enlargements)
   {
-    if (MeasureOverlap(pack, box).IsNone())
+    if (IsFree(pack, box))
     {
       return true;
     }
@@ -115,6 +166,6 @@ bool RemoveOverlap(
     ++attempt;
     goesOn = PushApart(pack, box, 1.0 + enlargement, carryOn);
   }
-  return MeasureOverlap(pack, box).IsNone();
+  return IsFree(pack, box);
 }
 }

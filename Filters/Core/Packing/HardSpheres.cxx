@@ -1,0 +1,528 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Packing/HardSpheres.h"
+
+#include "ruc/Base/Random.h"
+#include "ruc/Base/Require.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace ruc
+{
+namespace
+{
+constexpr double Never = std::numeric_limits<double>::infinity();
+constexpr int LeavesPlace = -1, HitsWall = -2;
+// In radii: more makes lists longer, less makes them anew more often
+constexpr double RoomOfSphere = 0.25, RoomOfSmallest = 0.5;
+// Each sphere: how often radii are exchanged
+constexpr int CollisionsOfExchange = 1;
+constexpr int CollisionsOfRound = 25; // for each sphere, which are 50 for a sphere: two take part
+
+double ShortestPeriod(const Window& box)
+{
+  double shortest = Never;
+  for (int q = 0; q < 3; ++q)
+  {
+    shortest = box.Periodic[q] ? std::min(shortest, box.Size[q]) : shortest;
+  }
+  return shortest;
+}
+}
+
+// How far spheres may go until they are listed again: less than the distance at which two images of
+// one sphere are near, and no more for large spheres than for small ones, which are as quick
+HardSpheres::Rooms::Rooms(const SpherePack& pack, const Window& box, double largestGrowth)
+  : Quarter(0.2499 * ShortestPeriod(box))
+{
+  const auto [least, greatest] = std::minmax_element(pack.Radius.begin(), pack.Radius.end());
+  this->Least = *least * largestGrowth;
+  this->Greatest = *greatest * largestGrowth;
+  const double shortest = ShortestPeriod(box), needed = 2.0 * LeastEdgeInDiameters * this->Greatest;
+  Require(needed < shortest, "A periodic box",
+    Text("edges above ", LeastEdgeInDiameters, " diameters of the largest sphere, ", needed),
+    shortest);
+}
+
+double HardSpheres::Rooms::Of(double radius) const
+{
+  const double room = std::min(RoomOfSphere * radius, RoomOfSmallest * this->Least);
+  return std::min(room, this->Quarter - radius);
+}
+
+namespace
+{
+// When something that is `distance2` (>= 0) too far away, squared, is reached: the first root t of
+// a t^2 + 2 b t + c = 0 with c >= 0; at once where it is reached and approached
+double FirstRoot(double a, double b, double c)
+{
+  if (c <= 0.0)
+  {
+    return b < 0.0 ? 0.0 : Never;
+  }
+  const double discriminant = b * b - a * c;
+  if (discriminant < 0.0 || (b >= 0.0 && a >= 0.0))
+  {
+    return Never;
+  }
+  const double root = c / (-b + std::sqrt(discriminant));
+  return root >= 0.0 ? root : Never;
+}
+}
+
+HardSpheres::HardSpheres(
+  const SpherePack& pack, const Window& box, double largestGrowth, const Settings& settings)
+  : Box(box)
+  , Chosen(settings)
+  , Unit(2.0 * std::accumulate(pack.Radius.begin(), pack.Radius.end(), 0.0) / pack.Size())
+  , Degrees(3.0 * static_cast<double>(pack.Size()))
+  , RoomOf(pack, box, largestGrowth)
+  , Room(pack.Size())
+  , Reach(pack.Size())
+  , Listed(pack.Size())
+  , Near(pack.Size())
+  , Grid(box, pack.Size(), this->RoomOf.Least,
+      this->RoomOf.Greatest + this->RoomOf.Of(this->RoomOf.Greatest))
+  , Partner(pack.Size(), LeavesPlace)
+  , Count(pack.Size(), 0)
+  , Stamp(pack.Size(), 0)
+{
+  for (int q = 0; q < 3; ++q)
+  {
+    this->Period[q] = box.Periodic[q] ? box.Size[q] : 0.0;
+    this->Inverse[q] = box.Periodic[q] ? 1.0 / box.Size[q] : 0.0;
+    this->Degrees -= box.Periodic[q] ? 1.0 : 0.0; // the centre of mass rests
+  }
+  const int spheres = static_cast<int>(pack.Size());
+  for (int i = 0; i < spheres; ++i)
+  {
+    this->Spheres.push_back(
+      { pack.Centre(i), {}, 0.0, pack.Radius[i], 0.0, largestGrowth * pack.Radius[i] });
+    this->Place(i);
+  }
+  this->SetVelocities();
+  for (int i = 0; i < spheres; ++i)
+  {
+    this->List(i);
+  }
+}
+
+void HardSpheres::SetVelocities()
+{
+  for (std::size_t i = 0; i < this->Spheres.size(); ++i)
+  {
+    // Box and Muller's way to two normal numbers, and another
+    const std::array<double, 3> u = UniformTriple(this->Chosen.Seed, RandomStream::Velocity, i, 0);
+    const std::array<double, 3> w = UniformTriple(this->Chosen.Seed, RandomStream::Velocity, i, 1);
+    const double first = std::sqrt(-2.0 * std::log(1.0 - u[0]));
+    const double second = std::sqrt(-2.0 * std::log(1.0 - w[0]));
+    this->Spheres[i].Velocity = { first * std::cos(2.0 * Pi * u[1]),
+      first * std::sin(2.0 * Pi * u[1]), second * std::cos(2.0 * Pi * w[1]) };
+  }
+  this->SetTemperature();
+}
+
+void HardSpheres::SetTemperature()
+{
+  const double spheres = static_cast<double>(this->Spheres.size());
+  Vector3 mean{};
+  for (const Sphere& sphere : this->Spheres)
+  {
+    for (int q = 0; q < 3; ++q)
+    {
+      mean[q] += this->Box.Periodic[q] ? sphere.Velocity[q] / spheres : 0.0;
+    }
+  }
+  double squares = 0.0;
+  for (Sphere& sphere : this->Spheres)
+  {
+    for (int q = 0; q < 3; ++q)
+    {
+      sphere.Velocity[q] -= mean[q];
+    }
+    squares += Dot(sphere.Velocity, sphere.Velocity);
+  }
+  const double scale = this->Unit * std::sqrt(this->Degrees / squares);
+  for (Sphere& sphere : this->Spheres)
+  {
+    for (double& v : sphere.Velocity)
+    {
+      v *= scale;
+    }
+  }
+}
+
+double HardSpheres::KineticEnergy() const
+{
+  double squares = 0.0;
+  for (const Sphere& sphere : this->Spheres)
+  {
+    squares += Dot(sphere.Velocity, sphere.Velocity);
+  }
+  return 0.5 * squares / (this->Unit * this->Unit);
+}
+
+void HardSpheres::MoveTo(int i, double time)
+{
+  Sphere& sphere = this->Spheres[i];
+  for (int q = 0; q < 3; ++q)
+  {
+    sphere.Place[q] += sphere.Velocity[q] * (time - sphere.Time);
+  }
+  sphere.Time = time;
+}
+
+void HardSpheres::MoveAllTo(double time)
+{
+  this->Time = time;
+  for (int i = 0; i < static_cast<int>(this->Spheres.size()); ++i)
+  {
+    this->MoveTo(i, time);
+  }
+}
+
+// Makes the place of the sphere that at which it is now
+void HardSpheres::Place(int i)
+{
+  const Sphere& sphere = this->Spheres[i];
+  const double radius = sphere.Final;
+  this->Listed[i] = sphere.Place;
+  this->Room[i] = this->RoomOf.Of(radius);
+  this->Reach[i] = radius + this->Room[i];
+  this->Grid.Put(i, sphere.Place, this->Reach[i]);
+}
+
+// Finds the spheres near to the place of the sphere
+void HardSpheres::List(int i)
+{
+  this->Grid.ForEachNear(i,
+    [&](int j)
+    {
+      const Vector3 d = this->Between(this->Listed[i], this->Listed[j]);
+      const double reach = this->Reach[i] + this->Reach[j];
+      if (Dot(d, d) < reach * reach)
+      {
+        this->Near[i].push_back(j);
+        this->Near[j].push_back(i);
+      }
+    });
+}
+
+void HardSpheres::Unlist(int i)
+{
+  for (int j : this->Near[i])
+  {
+    std::vector<int>& near = this->Near[j];
+    *std::find(near.begin(), near.end(), i) = near.back();
+    near.pop_back();
+  }
+  this->Near[i].clear();
+}
+
+// Finds the next event of a sphere: that it leaves its place, or meets a wall or another sphere. It
+// is enough that one of two spheres knows of their collision.
+void HardSpheres::Predict(int i, double& time)
+{
+  const Sphere& own = this->Spheres[i];
+  const Vector3 gone = { own.Place[0] - this->Listed[i][0], own.Place[1] - this->Listed[i][1],
+    own.Place[2] - this->Listed[i][2] };
+  const double speed2 = Dot(own.Velocity, own.Velocity), along = Dot(gone, own.Velocity);
+  const double left = this->Room[i] * this->Room[i] - Dot(gone, gone);
+  time = own.Time +
+    (speed2 > 0.0
+        ? std::max(0.0, (-along + std::sqrt(std::max(along * along + speed2 * left, 0.0))) / speed2)
+        : Never);
+  this->Partner[i] = LeavesPlace;
+  for (int j : this->Near[i])
+  {
+    const Sphere& other = this->Spheres[j];
+    const double since = own.Time - other.Time;
+    const Vector3 place = { other.Place[0] + other.Velocity[0] * since,
+      other.Place[1] + other.Velocity[1] * since, other.Place[2] + other.Velocity[2] * since };
+    const Vector3 d = this->Between(own.Place, place);
+    const Vector3 v = { other.Velocity[0] - own.Velocity[0], other.Velocity[1] - own.Velocity[1],
+      other.Velocity[2] - own.Velocity[2] };
+    const double contact = this->RadiusAt(own, own.Time) + this->RadiusAt(other, own.Time);
+    const double growth = own.Growth + other.Growth;
+    const double hit = own.Time +
+      FirstRoot(
+        Dot(v, v) - growth * growth, Dot(d, v) - contact * growth, Dot(d, d) - contact * contact);
+    if (hit < time)
+    {
+      time = hit;
+      this->Partner[i] = j;
+    }
+  }
+  this->PredictWalls(i, time);
+  this->Stamp[i] = this->Partner[i] >= 0 ? this->Count[this->Partner[i]] : 0;
+}
+
+void HardSpheres::PredictWalls(int i, double& time)
+{
+  const Sphere& own = this->Spheres[i];
+  for (int q = 0; q < 3; ++q)
+  {
+    if (this->Box.Periodic[q])
+    {
+      continue;
+    }
+    const double radius = this->RadiusAt(own, own.Time);
+    const double low = own.Place[q] - this->Box.Origin[q];
+    for (int side = 0; side < 2; ++side)
+    {
+      const double gap = (side == 0 ? low : this->Box.Size[q] - low) - radius;
+      const double approach = own.Growth + (side == 0 ? -own.Velocity[q] : own.Velocity[q]);
+      const double hit = approach > 0.0 ? own.Time + std::max(gap, 0.0) / approach : Never;
+      if (hit < time)
+      {
+        time = hit;
+        this->Partner[i] = HitsWall - (2 * q + side);
+      }
+    }
+  }
+}
+
+void HardSpheres::PredictAgain(int i)
+{
+  double time;
+  this->Predict(i, time);
+  this->Queue.SetTime(i, time);
+}
+
+void HardSpheres::PredictAll()
+{
+  std::vector<double> times(this->Spheres.size());
+  for (int i = 0; i < static_cast<int>(this->Spheres.size()); ++i)
+  {
+    this->Predict(i, times[i]);
+  }
+  this->Queue.Assign(times);
+}
+
+// The part of the relative velocity along the line of centres, u, becomes 2 G - u, where G is the
+// velocity at which the contact grows
+void HardSpheres::Collide(int i, int j)
+{
+  Sphere &a = this->Spheres[i], &b = this->Spheres[j];
+  const Vector3 d = this->Between(a.Place, b.Place);
+  const double distance = Length(d);
+  const double u =
+    ((b.Velocity[0] - a.Velocity[0]) * d[0] + (b.Velocity[1] - a.Velocity[1]) * d[1] +
+      (b.Velocity[2] - a.Velocity[2]) * d[2]) /
+    distance;
+  const double change = a.Growth + b.Growth - u;
+  for (int q = 0; q < 3; ++q)
+  {
+    a.Velocity[q] -= change * d[q] / distance;
+    b.Velocity[q] += change * d[q] / distance;
+  }
+  ++this->Count[i];
+  ++this->Count[j];
+  ++this->Collisions;
+  this->Virial += change * distance;
+}
+
+void HardSpheres::Bounce(int i, int face)
+{
+  Sphere& sphere = this->Spheres[i];
+  double& v = sphere.Velocity[face / 2];
+  const double sign = face % 2 == 0 ? 1.0 : -1.0;
+  v = sign * (2.0 * sphere.Growth - sign * v);
+  ++this->Count[i];
+}
+
+// Whether a sphere with this radius would fit where sphere i is
+bool HardSpheres::MayTake(int i, double radius, int except) const
+{
+  const Vector3& place = this->Spheres[i].Place;
+  for (int q = 0; q < 3; ++q)
+  {
+    const double low = place[q] - this->Box.Origin[q];
+    if (!this->Box.Periodic[q] && std::min(low, this->Box.Size[q] - low) < radius)
+    {
+      return false;
+    }
+  }
+  return std::all_of(this->Near[i].begin(), this->Near[i].end(),
+    [&](int k)
+    {
+      const Vector3 d = this->Between(place, this->Spheres[k].Place);
+      const double contact = radius + this->RadiusAt(this->Spheres[k], this->Time);
+      return k == except || Dot(d, d) >= contact * contact * (1.0 + 1e-14);
+    });
+}
+
+// The lists stay valid, for what a radius gains is taken from the room in them
+void HardSpheres::ExchangeRadii()
+{
+  const int spheres = static_cast<int>(this->Spheres.size());
+  RandomSequence random(this->Chosen.Seed, RandomStream::Exchange, this->Exchanges++);
+  for (int tries = 4 * spheres; tries > 0; --tries)
+  {
+    int i = random.NextIndex(spheres), j = random.NextIndex(spheres);
+    if (this->Spheres[i].Radius > this->Spheres[j].Radius)
+    {
+      std::swap(i, j);
+    }
+    Sphere &small = this->Spheres[i], &large = this->Spheres[j];
+    const double gain = large.Final - small.Final;
+    if (i == j || !(gain > 0.0) || gain > 0.5 * this->Room[i] ||
+      !this->MayTake(i, this->RadiusAt(large, this->Time), j))
+    {
+      continue;
+    }
+    // Where the two are near each other, both change
+    const Vector3 d = this->Between(small.Place, large.Place);
+    const double contact = this->RadiusAt(small, this->Time) + this->RadiusAt(large, this->Time);
+    if (Dot(d, d) < contact * contact)
+    {
+      continue;
+    }
+    std::swap(small.Radius, large.Radius);
+    std::swap(small.Growth, large.Growth);
+    std::swap(small.Final, large.Final);
+    this->Room[i] -= gain;
+  }
+}
+
+bool HardSpheres::IsJammed(double end, double before) const
+{
+  if (this->GrowthRate == 0.0)
+  {
+    return false;
+  }
+  // Near jamming P V / (N k T) is the inverse of the growth that is left, so that what is ten times
+  // that away is out of reach
+  const double grown = this->GrowthRate * (this->Time - before);
+  const double wanted = this->GrowthRate * (end - this->Time);
+  return grown < 1e-7 || (this->Pressure > 1e4 && wanted * this->Pressure > 10.0);
+}
+
+HardSpheres::End HardSpheres::Run(
+  double end, double collisions, const std::function<bool()>& carryOn)
+{
+  const auto spheres = static_cast<std::int64_t>(this->Spheres.size());
+  // Two take part in each
+  const double last = this->Collisions + collisions * spheres / 2.0;
+  std::int64_t round = this->Collisions + CollisionsOfRound * spheres;
+  std::int64_t exchange = this->Collisions;
+  double before = this->Time;
+  this->PredictAll();
+  while (true)
+  {
+    const int i = this->Queue.Earliest();
+    const double time = this->Queue.TimeOf(i);
+    if (time >= end)
+    {
+      this->MoveAllTo(end);
+      return End::Done;
+    }
+    this->Time = time;
+    this->MoveTo(i, time);
+    const int partner = this->Partner[i];
+    if (partner == LeavesPlace)
+    {
+      this->Unlist(i);
+      this->Place(i);
+      this->List(i);
+    }
+    else if (partner <= HitsWall)
+    {
+      this->Bounce(i, HitsWall - partner);
+    }
+    else if (this->Count[partner] == this->Stamp[i])
+    {
+      this->MoveTo(partner, time);
+      this->Collide(i, partner);
+      this->PredictAgain(partner);
+    }
+    this->PredictAgain(i);
+    if (this->Chosen.Exchange && this->Collisions >= exchange)
+    {
+      exchange = this->Collisions + CollisionsOfExchange * spheres;
+      this->MoveAllTo(time);
+      this->ExchangeRadii();
+      this->PredictAll();
+    }
+    if (this->Collisions >= round || this->Collisions >= last)
+    {
+      round = this->Collisions + CollisionsOfRound * spheres;
+      this->MoveAllTo(time);
+      this->FindPressure(time - before);
+      if (this->Collisions >= last)
+      {
+        return End::Done;
+      }
+      if (!carryOn())
+      {
+        return End::Stopped;
+      }
+      if (this->IsJammed(end, before))
+      {
+        return End::Jammed;
+      }
+      before = time;
+      this->SetTemperature();
+      this->PredictAll();
+    }
+  }
+}
+
+void HardSpheres::FindPressure(double time)
+{
+  const double spheres = static_cast<double>(this->Spheres.size());
+  const double kT = 2.0 * this->KineticEnergy() / this->Degrees * this->Unit * this->Unit;
+  this->Pressure = time > 0.0 ? 1.0 + this->Virial / (3.0 * spheres * kT * time) : Never;
+  this->Virial = 0.0;
+}
+
+HardSpheres::End HardSpheres::Grow(double growth, double rate, const std::function<bool()>& carryOn)
+{
+  this->GrowthRate = rate;
+  for (Sphere& sphere : this->Spheres)
+  {
+    sphere.Growth = rate * sphere.Radius;
+    sphere.Time = 0.0;
+  }
+  this->Virial = 0.0;
+  const End end = this->Run((growth - 1.0) / rate, Never, carryOn);
+  for (Sphere& sphere : this->Spheres)
+  {
+    sphere.Radius = this->RadiusAt(sphere, this->Time);
+    sphere.Growth = 0.0;
+    sphere.Time = 0.0;
+  }
+  this->Growth = this->GetGrowth();
+  this->Time = this->GrowthRate = 0.0;
+  return end;
+}
+
+HardSpheres::End HardSpheres::Equilibrate(double collisions, const std::function<bool()>& carryOn)
+{
+  this->Virial = 0.0;
+  const End end = this->Run(Never, collisions, carryOn);
+  for (Sphere& sphere : this->Spheres)
+  {
+    sphere.Time = 0.0;
+  }
+  this->Time = 0.0;
+  return end;
+}
+
+SpherePack HardSpheres::GetPack() const
+{
+  SpherePack pack;
+  for (const Sphere& sphere : this->Spheres)
+  {
+    pack.X.push_back(sphere.Place[0]);
+    pack.Y.push_back(sphere.Place[1]);
+    pack.Z.push_back(sphere.Place[2]);
+    pack.Radius.push_back(sphere.Radius);
+  }
+  WrapIntoBox(pack, this->Box);
+  return pack;
+}
+}

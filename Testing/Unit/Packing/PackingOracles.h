@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Oracles.h"
+
+namespace oracle
+{
+// The least of d - (a + b) over all pairs of nearest images, and of what walls leave, without any
+// grid of cells
+inline double LeastRoom(const ruc::SpherePack& pack, const ruc::Window& box)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    const ruc::Vector3 a = pack.Centre(i);
+    for (int q = 0; q < 3; ++q)
+    {
+      const double low = a[q] - box.Origin[q];
+      if (!box.Periodic[q])
+      {
+        least = std::min({ least, low - pack.Radius[i], box.Size[q] - low - pack.Radius[i] });
+      }
+    }
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const ruc::Vector3 b = pack.Centre(j);
+      double squares = 0.0;
+      for (int q = 0; q < 3; ++q)
+      {
+        double d = b[q] - a[q];
+        d -= box.Periodic[q] ? box.Size[q] * std::round(d / box.Size[q]) : 0.0;
+        squares += d * d;
+      }
+      least = std::min(least, std::sqrt(squares) - (pack.Radius[i] + pack.Radius[j]));
+    }
+  }
+  return least;
+}
+
+inline double FractionOf(const ruc::SpherePack& pack, const ruc::Window& box)
+{
+  double volume = 0.0;
+  for (double r : pack.Radius)
+  {
+    volume += 4.0 / 3.0 * Pi * r * r * r;
+  }
+  return volume / (box.Size[0] * box.Size[1] * box.Size[2]);
+}
+}

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Packing/DensePack.h"
+#include "ruc/Packing/HardSpheres.h"
+
+#include "PackingOracles.h"
+
+namespace
+{
+const auto Always = []() { return true; };
+
+ruc::DensePack SoftPack(const std::vector<double>& radii, double fraction,
+  const std::array<bool, 3>& periodic = { true, true, true })
+{
+  ruc::DensePackSettings settings;
+  settings.Radii = radii;
+  settings.Fraction = fraction;
+  settings.Periodic = periodic;
+  settings.Protocol = ruc::PackingProtocol::Soft;
+  return ruc::MakeDensePack(settings, [](const ruc::GrowthStep&, double) { return true; });
+}
+
+struct Mean
+{
+  double Value, Error;
+};
+
+// P V / (N k T), from blocks of 50 collisions of a sphere after an equilibration
+Mean MeasurePressure(const std::vector<double>& radii, double fraction)
+{
+  const ruc::DensePack pack = SoftPack(radii, fraction);
+  ruc::HardSpheres spheres(pack.Pack, pack.Box, 1.0, { 1, false });
+  spheres.Equilibrate(200.0, Always);
+  constexpr int Blocks = 40;
+  double sum = 0.0, squares = 0.0;
+  for (int n = 0; n < Blocks; ++n)
+  {
+    spheres.Equilibrate(50.0, Always);
+    sum += spheres.ReducedPressure();
+    squares += spheres.ReducedPressure() * spheres.ReducedPressure();
+  }
+  EXPECT_GE(oracle::LeastRoom(spheres.GetPack(), pack.Box), -1e-12);
+  const double mean = sum / Blocks;
+  return { mean, std::sqrt((squares / Blocks - mean * mean) / (Blocks - 1)) };
+}
+
+std::vector<double> TwoSizes(int small, double a, int large, double b)
+{
+  std::vector<double> radii(small, a);
+  radii.insert(radii.end(), large, b);
+  return radii;
+}
+}
+
+// Carnahan and Starling (J. Chem. Phys. 51, 635, 1969)
+TEST(HardSpheres, PressureOfEqualSpheres)
+{
+  for (double phi : { 0.30, 0.40, 0.49 })
+  {
+    const Mean found = MeasurePressure(std::vector<double>(400, 0.5), phi);
+    const double expected =
+      (1.0 + phi + phi * phi - phi * phi * phi) / ((1.0 - phi) * (1.0 - phi) * (1.0 - phi));
+    EXPECT_NEAR(found.Value, expected, 3.0 * found.Error) << phi;
+    EXPECT_LT(found.Error, 0.01 * expected);
+  }
+}
+
+// Mansoori, Carnahan, Starling and Leland (J. Chem. Phys. 54, 1523, 1971)
+TEST(HardSpheres, PressureOfTwoSizes)
+{
+  const std::vector<double> radii = TwoSizes(400, 0.5, 40, 1.5);
+  const double phi = 0.40;
+  const Mean found = MeasurePressure(radii, phi);
+  const double volume = [&]()
+  {
+    double sum = 0.0;
+    for (double r : radii)
+    {
+      sum += oracle::Pi / 6.0 * 8.0 * r * r * r;
+    }
+    return sum / phi;
+  }();
+  double xi[4] = {};
+  for (double r : radii)
+  {
+    for (int n = 0; n < 4; ++n)
+    {
+      xi[n] += oracle::Pi / 6.0 * std::pow(2.0 * r, n) / volume;
+    }
+  }
+  const double rest = 1.0 - xi[3];
+  const double expected = 1.0 / rest + 3.0 * xi[1] * xi[2] / (xi[0] * rest * rest) +
+    (3.0 - xi[3]) * xi[2] * xi[2] * xi[2] / (xi[0] * rest * rest * rest);
+  EXPECT_NEAR(found.Value, expected, 3.0 * found.Error);
+  EXPECT_LT(found.Error, 0.02 * expected);
+}
+
+TEST(HardSpheres, CollisionsKeepEnergy)
+{
+  const ruc::DensePack pack = SoftPack(TwoSizes(200, 0.5, 20, 1.0), 0.45);
+  ruc::HardSpheres spheres(pack.Pack, pack.Box, 1.0, { 3, false });
+  const double energy = spheres.KineticEnergy();
+  EXPECT_NEAR(energy, 0.5 * (3 * 220 - 3), 1e-9);
+  spheres.Equilibrate(45.0, Always); // fewer than those after which the temperature is set
+  EXPECT_NEAR(spheres.KineticEnergy() / energy, 1.0, 1e-10);
+  EXPECT_NEAR(spheres.CollisionsOfSphere(), 45.0, 0.1);
+}
+
+TEST(HardSpheres, GrowWithoutOverlap)
+{
+  for (bool exchange : { false, true })
+  {
+    std::vector<double> radii;
+    for (int n = 0; n < 300; ++n)
+    {
+      radii.push_back(0.5 + 0.002 * n);
+    }
+    const ruc::DensePack pack = SoftPack(radii, 0.50);
+    const double growth = std::cbrt(0.62 / 0.50);
+    ruc::HardSpheres spheres(pack.Pack, pack.Box, growth, { 2, exchange });
+    EXPECT_EQ(spheres.Grow(growth, 0.05, Always), ruc::HardSpheres::End::Done);
+    EXPECT_NEAR(spheres.GetGrowth(), growth, 1e-14);
+    const ruc::SpherePack grown = spheres.GetPack();
+    EXPECT_GE(oracle::LeastRoom(grown, pack.Box), -1e-12);
+    EXPECT_NEAR(oracle::FractionOf(grown, pack.Box), 0.62, 1e-12);
+    std::vector<double> sorted = grown.Radius;
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t i = 0; i < radii.size(); ++i)
+    {
+      EXPECT_NEAR(sorted[i], growth * radii[i], 1e-12);
+    }
+    EXPECT_EQ(sorted == grown.Radius, !exchange);
+  }
+}
+
+TEST(HardSpheres, StayBetweenWalls)
+{
+  const ruc::DensePack pack = SoftPack(TwoSizes(200, 0.5, 20, 1.0), 0.40, { false, true, false });
+  EXPECT_GE(oracle::LeastRoom(pack.Pack, pack.Box), 0.0);
+  const double growth = std::cbrt(0.50 / 0.40);
+  ruc::HardSpheres spheres(pack.Pack, pack.Box, growth, { 2, false });
+  EXPECT_EQ(spheres.Grow(growth, 0.05, Always), ruc::HardSpheres::End::Done);
+  EXPECT_GE(oracle::LeastRoom(spheres.GetPack(), pack.Box), -1e-12);
+}
+
+TEST(HardSpheres, AreStoppedAndJam)
+{
+  const ruc::DensePack pack = SoftPack(std::vector<double>(200, 0.5), 0.50);
+  const double growth = std::cbrt(0.70 / 0.50);
+  ruc::HardSpheres stopped(pack.Pack, pack.Box, growth, { 2, false });
+  EXPECT_EQ(stopped.Grow(growth, 0.05, []() { return false; }), ruc::HardSpheres::End::Stopped);
+  ruc::HardSpheres jammed(pack.Pack, pack.Box, growth, { 2, false });
+  EXPECT_EQ(jammed.Grow(growth, 0.1, Always), ruc::HardSpheres::End::Jammed);
+  EXPECT_LT(jammed.GetGrowth(), std::cbrt(0.65 / 0.50));
+  EXPECT_GT(jammed.GetGrowth(), std::cbrt(0.60 / 0.50));
+  EXPECT_GE(oracle::LeastRoom(jammed.GetPack(), pack.Box), -1e-12);
+}
