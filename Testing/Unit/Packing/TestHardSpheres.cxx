@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Packing/DensePack.h"
 #include "ruc/Packing/HardSpheres.h"
+#include "ruc/Packing/PackOrder.h"
 
 #include "PackingOracles.h"
 
@@ -154,4 +155,31 @@ TEST(HardSpheres, AreStoppedAndJam)
   EXPECT_LT(jammed.GetGrowth(), std::cbrt(0.65 / 0.50));
   EXPECT_GT(jammed.GetGrowth(), std::cbrt(0.60 / 0.50));
   EXPECT_GE(oracle::LeastRoom(jammed.GetPack(), pack.Box), -1e-12);
+}
+
+// What is known of jammed packs of equal spheres without friction (Donev, Torquato and Stillinger,
+// Phys. Rev. E 71, 011105, 2005; O'Hern et al., Phys. Rev. E 68, 011306, 2003)
+TEST(HardSpheres, JammedSpheresAreIsostatic)
+{
+  const ruc::DensePack pack = SoftPack(std::vector<double>(1000, 0.5), 0.54);
+  const double growth = std::cbrt(0.70 / 0.54);
+  ruc::HardSpheres spheres(pack.Pack, pack.Box, growth, { 1, false });
+  EXPECT_EQ(spheres.Grow(growth, 0.03, Always), ruc::HardSpheres::End::Jammed);
+  for (double step : { 1e-3, 1e-4, 1e-5 }) // by which the gaps are closed
+  {
+    while (spheres.Grow(1.0 + step, 0.03, Always) == ruc::HardSpheres::End::Done)
+    {
+    }
+  }
+  const ruc::SpherePack jammed = spheres.GetPack();
+  EXPECT_GE(oracle::LeastRoom(jammed, pack.Box), -1e-12);
+  const double fraction = oracle::FractionOf(jammed, pack.Box);
+  EXPECT_GT(fraction, 0.625);
+  EXPECT_LT(fraction, 0.648);
+  const ruc::PackOrder order = ruc::MeasureOrder(jammed, pack.Box, 1e-4);
+  EXPECT_GT(order.CoordinationNumber, 5.3);
+  EXPECT_LT(order.CoordinationNumber, 6.3);
+  EXPECT_GT(order.RattlerPercent, 1.0);
+  EXPECT_LT(order.RattlerPercent, 15.0);
+  EXPECT_LT(order.Q6, 0.1);
 }
