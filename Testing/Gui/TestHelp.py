@@ -28,11 +28,13 @@ FORMULAS = {
     'filters.ParticleModes': '(Σ d³ / N)^(1/3)',
     'filters.PeriodicReplicas': 'x + (i L_x, j L_y, k L_z)',
     'filters.PointsToSpherePack': 'centre = Scale × point; Radius = Scale × a for an array a of radii',
+    'sources.SpherePackSource': '(Σ 4 π r³ / (3 φ))^(1/3)',
     'sources.SpherePackReader': 'position = Scale × (x, y, z)',
     'writers.RawImageWriter': 'place i + n_x (j + n_y k) after the header',
     'writers.SpherePackWriter': 'diameter = 2 × Radius',
 }
 BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.ImageStatistics', 'filters.RadialDistribution')
+SOURCES = {'sources.SpherePackSource': 'Lubachevsky, Stillinger, J. Stat. Phys. 60, 561 (1990)'}
 PROPERTIES = {'filters.DirectionalProbability': ['Number Of Directions', 'Number Of Lines', 'Seed'],
               'filters.ProbabilityMap': ['Phase Pairs', 'Resolution', 'Spacing'],
               'filters.ChordLengths': ['Number Of Lines', 'Target Error', 'Mask Label'],
@@ -65,7 +67,7 @@ for proxy, formula in FORMULAS.items():
     text = ' '.join(page.split())
     if 'charset="utf-8"' not in page[:200].lower():
         failures.append(proxy + ' does not say its letters; Qt takes them for Latin-1')
-    source = BOOK if proxy in FROM_THE_BOOK else 'Phys. Rev. E 80, 061301 (2009)'
+    source = BOOK if proxy in FROM_THE_BOOK else SOURCES.get(proxy, 'Phys. Rev. E 80, 061301 (2009)')
     for part in [formula, source] + ['<th>%s</th>' % label for label in PROPERTIES.get(proxy, [])]:
         if part not in text:
             failures.append('%s does not have: %s' % (proxy, part))

@@ -42,6 +42,7 @@ of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=8)
 # 16 voxels along each axis, of a label for each half
 labels = pv.Calculator(Input=pv.Wavelet(WholeExtent=[0, 15, 0, 15, 0, 15]), ResultArrayName="Label", Function="if(coordsX > 7, 1, 0)")
 sources = [modes, two_point, cell,
+           pv.SpherePackSource(NumberOfSpheres=50, Fraction=0.61),
            pv.PointsToSpherePack(Input=reader),
            pv.OnePointProbability(Input=modes),
            pv.DirectionalProbability(Input=modes, NumberOfLags=8, NumberOfDirections=2),

@@ -297,23 +297,25 @@ DensePack MakeDensePack(
 
 namespace
 {
-constexpr double SecondsOfCollision = 0.7e-6;
+constexpr double SecondsOfSoft = 2e-5, SecondsOfCollision = 1e-6;
+constexpr double CollisionsTimesRate = 12.0; // of a sphere, in a growth
 constexpr double BytesOfSphere = 600.0;
 }
 
-Estimate EstimateDensePack(const DensePackSettings& settings)
+Estimate EstimateDensePack(const DensePackSettings& settings, double spheres)
 {
-  const double spheres = static_cast<double>(settings.Radii.size());
-  const double share = settings.Fraction / MaximumRandomFraction(settings.Radii);
-  double collisions = settings.Equilibration;
-  if (settings.Protocol != PackingProtocol::Soft &&
-    (settings.Protocol == PackingProtocol::Events || share > SoftShare))
-  {
-    // Per e-fold of the growth that is left
-    const double rate = settings.Rate > 0.0 ? settings.Rate : RateFor(share);
-    collisions += 10.0 / rate;
-  }
-  return { spheres * (2e-5 + 0.5 * collisions * SecondsOfCollision),
+  const double maximum = MaximumRandomFraction(settings.Radii);
+  const double share = settings.Fraction / maximum;
+  const bool events = settings.Protocol == PackingProtocol::Events ||
+    (settings.Protocol == PackingProtocol::Automatic && share > SoftShare);
+  const double rate = settings.Rate > 0.0 ? settings.Rate : RateFor(share);
+  const double collisions = settings.Equilibration + (events ? CollisionsTimesRate / rate : 0.0);
+  Estimate estimate = { spheres * (SecondsOfSoft + 0.5 * collisions * SecondsOfCollision),
     spheres * BytesOfSphere / BytesOfMegabyte, 0.0 };
+  if (events && settings.Rate == 0.0)
+  {
+    estimate.Automatic = Text("Rate ", rate);
+  }
+  return estimate;
 }
 }

@@ -80,6 +80,9 @@ struct DensePack
 DensePack MakeDensePack(
   const DensePackSettings& settings, const std::function<bool(const GrowthStep&, double)>& carryOn);
 
-/** What MakeDensePack takes. */
-Estimate EstimateDensePack(const DensePackSettings& settings);
+/**
+ * What MakeDensePack takes for `spheres` spheres, of whose sizes `settings.Radii` are a sample. The
+ * automatic rate and the maximum fraction are told in words.
+ */
+Estimate EstimateDensePack(const DensePackSettings& settings, double spheres);
 }
