@@ -132,7 +132,11 @@ def masks():
     pack = make_pack()
     readers = {name: OpenDataFile(path(name)) for name in ('mask.vti', 'mask.pvti', 'mask.xmf', 'pages.tiff', 'mask.mhd', 'mask.mha', 'mask.nrrd')}
     readers['stack of TIFF'] = TIFFSeriesReader(FileNames=[path('slice_%02d.tif' % z) for z in range(N)], ReadAsImageStack=1)
-    readers['raw'] = ImageReader(FileNames=[path('mask.raw')], DataScalarType='unsigned char', DataExtent=[0, N - 1] * 3)
+    readers['raw'] = ImageReader(FileNames=[path('mask.raw')], DataScalarType='unsigned char')
+    if 'Dimensions' in readers['raw'].ListProperties():  # since ParaView 6.1
+        readers['raw'].Dimensions = [N] * 3
+    else:
+        readers['raw'].DataExtent = [0, N - 1] * 3
     fractions = {}
     for name, reader in readers.items():
         table = OnePointProbability(Input=pack, Mask=reader, MaskLabel=7, Method='Chord Sampling', NumberOfLines=200, WindowMargin=0.5)
