@@ -10,6 +10,7 @@ namespace
 {
 const std::string MayBeStopped = "may be stopped]", RunsToItsEnd = "runs to its end]";
 const std::string AfterFilter = ": ", BeforeState = " [", BeforeValue = " = ", AfterValue = ", ";
+const std::string LostOnTheWay(4, ' ');
 
 bool EndsWith(const std::string& text, const std::string& end)
 {
@@ -26,12 +27,13 @@ std::string RunProgress::ToText() const
   {
     text << this->Quantity << BeforeValue << std::setprecision(4) << this->Value << AfterValue;
   }
-  text << (this->Stoppable ? MayBeStopped : RunsToItsEnd);
+  text << (this->Stoppable ? MayBeStopped : RunsToItsEnd) << LostOnTheWay;
   return text.str();
 }
 
-std::optional<RunProgress> RunProgress::FromText(const std::string& text)
+std::optional<RunProgress> RunProgress::FromText(std::string text)
 {
+  text.erase(text.find_last_not_of(' ') + 1);
   const std::size_t colon = text.find(AfterFilter);
   const std::size_t bracket = text.rfind(BeforeState);
   const bool stoppable = EndsWith(text, MayBeStopped);

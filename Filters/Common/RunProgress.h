@@ -29,10 +29,11 @@ struct RUCCOMMON_EXPORT RunProgress
    * The label ends at the first ": ". The brackets at the end hold the quantity with four digits,
    * where there is one, and always one of the two phrases, by which the client tells the text from
    * those of other filters. A label holds no ": ", and the name of a quantity neither " = " nor "
-   * [".
+   * [". Four blanks follow, since ParaView 6.1 loses the last four characters between server and
+   * client.
    */
   std::string ToText() const;
 
   /** Returns the progress from which a text was made, or nothing where it is not such a text. */
-  static std::optional<RunProgress> FromText(const std::string& text);
+  static std::optional<RunProgress> FromText(std::string text);
 };
