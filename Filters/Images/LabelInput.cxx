@@ -3,13 +3,19 @@
 #include "LabelInput.h"
 
 #include "RankCommunicator.h"
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Statistics/Voxels/ImageCorrelation.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkArrayDispatch.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -116,6 +122,64 @@ Image FindImage(
     throw std::invalid_argument(Text(what, " requires an image with voxels, got none."));
   }
   return image;
+}
+
+bool HasCellsHere(vtkAlgorithm& filter)
+{
+  // Without data, readers of images have points
+  auto* piece = vtkImageData::SafeDownCast(filter.GetInputDataObject(0, 0));
+  return piece && piece->GetPointData()->GetNumberOfArrays() == 0 &&
+    piece->GetCellData()->GetNumberOfArrays() > 0;
+}
+
+ruc::VoxelGrid FindGridHere(vtkAlgorithm& filter)
+{
+  ruc::VoxelGrid grid;
+  if (filter.GetNumberOfInputConnections(0) == 0)
+  {
+    return grid;
+  }
+  vtkInformation* info = filter.GetInputInformation(0, 0);
+  auto* piece = vtkImageData::SafeDownCast(filter.GetInputDataObject(0, 0));
+  if (!piece)
+  {
+    return grid;
+  }
+  // What the source has told of the whole image, else what this rank has of it
+  int extent[6];
+  std::copy_n(piece->GetExtent(), 6, extent);
+  std::copy_n(piece->GetSpacing(), 3, grid.Spacing.begin());
+  if (info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  }
+  if (piece->GetNumberOfPoints() == 0 && info->Has(vtkDataObject::SPACING()))
+  {
+    info->Get(vtkDataObject::SPACING(), grid.Spacing.data());
+  }
+  const int points = HasCellsHere(filter) ? 0 : 1;
+  for (int q = 0; q < 3; ++q)
+  {
+    grid.Dimensions[q] = std::max(0, extent[2 * q + 1] - extent[2 * q] + points);
+    grid.Lower[q] = piece->GetOrigin()[q] + (extent[2 * q] - 0.5 * points) * grid.Spacing[q];
+  }
+  return grid;
+}
+
+std::vector<float> ReadValues(const Image& image, RankCommunicator& ranks)
+{
+  std::vector<float> values;
+  values.reserve(image.Piece.Block.Voxels());
+  std::int64_t bad = 0;
+  ForEachValue(image.Piece.Values, image.Piece.Block.Voxels(),
+    [&](double value)
+    {
+      values.push_back(static_cast<float>(value));
+      bad += std::isfinite(values.back()) ? 0 : 1;
+    });
+  ranks.Sum(&bad, 1);
+  ruc::Require(bad == 0, "ImageArray", "finite values", ruc::Text(bad, " that are not"));
+  return values;
 }
 
 LocalLabels NumberLabels(const Image& image, const std::string& arrayName, RankCommunicator& ranks)

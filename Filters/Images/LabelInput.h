@@ -10,10 +10,12 @@
 #include <vector>
 
 class RankCommunicator;
+class vtkAlgorithm;
 class vtkDataArray;
 class vtkImageData;
 
-/** Label images: images whose values are whole numbers, each of which stands for a phase. */
+/** Images of which every rank has a piece, and label images: those whose values are whole numbers,
+ * each of which stands for a phase. */
 namespace LabelInput
 {
 /**
@@ -31,6 +33,20 @@ struct Image
  */
 Image FindImage(
   vtkImageData* piece, const std::string& arrayName, const char* what, RankCommunicator& ranks);
+
+/**
+ * Returns the grid of the image at the first input of a filter as this rank knows it without the
+ * others and before a run, or one without voxels.
+ */
+ruc::VoxelGrid FindGridHere(vtkAlgorithm& filter);
+/** Returns whether its voxels are cells, as far as that is known. */
+bool HasCellsHere(vtkAlgorithm& filter);
+
+/**
+ * Returns the values of this rank's voxels. Throws std::invalid_argument, the same on every rank,
+ * with their number, where values are not finite. Collective.
+ */
+std::vector<float> ReadValues(const Image& image, RankCommunicator& ranks);
 
 /** The voxels of this rank, numbered by the labels that it has. */
 struct LocalLabels

@@ -127,41 +127,6 @@ int vtkRUCImageStatistics::FillOutputPortInformation(int port, vtkInformation* i
   return 1;
 }
 
-ruc::VoxelGrid vtkRUCImageStatistics::FindGridHere()
-{
-  ruc::VoxelGrid grid;
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    return grid;
-  }
-  vtkInformation* info = this->GetInputInformation(0, 0);
-  auto* piece = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
-  if (!piece)
-  {
-    return grid;
-  }
-  // What the source has told of the whole image, else what this rank has of it
-  int extent[6];
-  std::copy_n(piece->GetExtent(), 6, extent);
-  std::copy_n(piece->GetSpacing(), 3, grid.Spacing.begin());
-  if (info->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    info->Get(Pipeline::WHOLE_EXTENT(), extent);
-  }
-  if (piece->GetNumberOfPoints() == 0 && info->Has(vtkDataObject::SPACING()))
-  {
-    info->Get(vtkDataObject::SPACING(), grid.Spacing.data());
-  }
-  // Without data, readers of images have points
-  const bool cells = piece->GetPointData()->GetNumberOfArrays() == 0 &&
-    piece->GetCellData()->GetNumberOfArrays() > 0;
-  for (int q = 0; q < 3; ++q)
-  {
-    grid.Dimensions[q] = std::max(0, extent[2 * q + 1] - extent[2 * q] + (cells ? 0 : 1));
-  }
-  return grid;
-}
-
 void vtkRUCImageStatistics::Announce(const ruc::ImageLags& lags, vtkInformation* info) const
 {
   const auto& n = lags.Last;
@@ -177,7 +142,7 @@ int vtkRUCImageStatistics::RequestInformation(
   ruc::ImageLags lags = { {}, { 1.0, 1.0, 1.0 }, {} };
   try
   {
-    const ruc::VoxelGrid grid = this->FindGridHere();
+    const ruc::VoxelGrid grid = LabelInput::FindGridHere(*this);
     // A source may not know its spacing before it runs
     if (grid.Voxels() > 0.0 && grid.VoxelVolume() > 0.0)
     {
@@ -371,7 +336,7 @@ std::optional<ruc::Estimate> vtkRUCImageStatistics::MakeEstimate()
 {
   constexpr double secondsPerVoxel = 3e-8; // to read labels and count runs
   this->ValidateProperties();
-  const ruc::VoxelGrid grid = this->FindGridHere();
+  const ruc::VoxelGrid grid = LabelInput::FindGridHere(*this);
   if (grid.Voxels() == 0.0 || grid.VoxelVolume() == 0.0)
   {
     return {};

@@ -157,9 +157,6 @@ private:
 
   void ValidateProperties() const;
   bool HasMask() { return this->GetNumberOfInputConnections(1) > 0; }
-  // The grid of the image as this rank knows it without the others; without voxels where it does
-  // not
-  ruc::VoxelGrid FindGridHere();
   // Tells the pipeline of the image over lag vectors
   void Announce(const ruc::ImageLags& lags, vtkInformation* info) const;
   std::array<bool, 3> FindPeriodic(vtkImageData* image, RankCommunicator& ranks);

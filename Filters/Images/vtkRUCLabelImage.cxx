@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRUCLabelImage.h"
 
-#include "ImageSlab.h"
 #include "PackData.h"
 #include "PackInput.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
+#include "VoxelOutput.h"
 #include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Images/LabelImage.h"
@@ -40,21 +40,6 @@ namespace
 {
 constexpr double VoxelsOfDiameter = 20.0; // where VoxelSize is automatic
 
-// Adds an array with a value for each voxel, not yet set, and returns its values
-template <class Array>
-auto AddArray(vtkDataSetAttributes* voxels, vtkIdType count, const std::string& name)
-{
-  vtkNew<Array> array;
-  array->SetName(name.c_str());
-  array->SetNumberOfValues(count);
-  voxels->AddArray(array); // the image keeps it
-  if (!voxels->GetScalars())
-  {
-    voxels->SetActiveScalars(name.c_str());
-  }
-  return array->GetPointer(0);
-}
-
 void MarkWindow(const ruc::Window& window, const ruc::VoxelGrid& grid, const ruc::VoxelBlock& block,
   std::uint8_t* inside)
 {
@@ -76,17 +61,6 @@ int vtkRUCLabelImage::FillOutputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkImageData");
   return 1;
-}
-
-std::array<int, 6> vtkRUCLabelImage::ExtentOf(const std::array<int, 3>& dimensions) const
-{
-  std::array<int, 6> extent;
-  for (int q = 0; q < 3; ++q)
-  {
-    extent[2 * q] = 0;
-    extent[2 * q + 1] = std::max(dimensions[q], 1) - (this->ArrayOn == POINTS ? 1 : 0);
-  }
-  return extent;
 }
 
 ruc::VoxelGrid vtkRUCLabelImage::FindGrid(
@@ -133,22 +107,8 @@ int vtkRUCLabelImage::RequestInformation(
     }
   }
   this->Announced = grid.Dimensions;
-  this->Announce(grid, outputs->GetInformationObject(0));
+  VoxelOutput::Announce(grid, this->ArrayOn == POINTS, outputs->GetInformationObject(0));
   return this->Superclass::RequestInformation(request, inputs, outputs);
-}
-
-void vtkRUCLabelImage::Announce(const ruc::VoxelGrid& grid, vtkInformation* info)
-{
-  info->Set(
-    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->ExtentOf(grid.Dimensions).data(), 6);
-  info->Remove(vtkDataObject::ORIGIN());
-  info->Remove(vtkDataObject::SPACING());
-  if (grid.Spacing[0] > 0.0) // else only the run knows them
-  {
-    const ruc::Vector3 origin = this->OriginOf(grid);
-    info->Set(vtkDataObject::ORIGIN(), origin.data(), 3);
-    info->Set(vtkDataObject::SPACING(), grid.Spacing.data(), 3);
-  }
 }
 
 ruc::LabelSettings vtkRUCLabelImage::GetSettings() const
@@ -179,29 +139,6 @@ ruc::VoxelGrid vtkRUCLabelImage::MakeGrid(const ruc::Window& window, double mean
     window, size, { this->Dimensions[0], this->Dimensions[1], this->Dimensions[2] });
 }
 
-ruc::Vector3 vtkRUCLabelImage::OriginOf(const ruc::VoxelGrid& grid) const
-{
-  return this->ArrayOn == POINTS ? grid.CentreOf(0, 0, 0) : grid.Lower;
-}
-
-ruc::VoxelBlock vtkRUCLabelImage::SetPiece(vtkImageData* image, const ruc::VoxelGrid& grid,
-  const ruc::PackTotals& totals, RankCommunicator& ranks) const
-{
-  std::array<int, 6> extent = ImageSlab::PieceOf(this->ExtentOf(grid.Dimensions), ranks);
-  ruc::VoxelBlock block;
-  for (int q = 0; q < 3; ++q)
-  {
-    block.First[q] = extent[2 * q];
-    block.Count[q] =
-      std::max(extent[2 * q + 1] - extent[2 * q] + (this->ArrayOn == POINTS ? 1 : 0), 0);
-  }
-  this->RequireRoom(block, totals, ranks);
-  image->SetExtent(extent.data());
-  image->SetSpacing(grid.Spacing.data());
-  image->SetOrigin(this->OriginOf(grid).data());
-  return block;
-}
-
 void vtkRUCLabelImage::RequireRoom(
   const ruc::VoxelBlock& block, const ruc::PackTotals& totals, RankCommunicator& ranks) const
 {
@@ -219,25 +156,24 @@ void vtkRUCLabelImage::RequireRoom(
 
 ruc::LabelArrays vtkRUCLabelImage::AddArrays(vtkImageData* image, int modes) const
 {
-  vtkDataSetAttributes* voxels =
-    image->GetAttributes(this->ArrayOn == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL);
+  vtkDataSetAttributes* voxels = VoxelOutput::VoxelsOf(image, this->ArrayOn == POINTS);
   const vtkIdType count =
     this->ArrayOn == POINTS ? image->GetNumberOfPoints() : image->GetNumberOfCells();
   ruc::LabelArrays arrays;
   if (this->Phases)
   {
-    arrays.Phase = AddArray<vtkUnsignedCharArray>(voxels, count, "Phase");
+    arrays.Phase = VoxelOutput::Add<vtkUnsignedCharArray>(voxels, count, "Phase");
   }
   if (this->ParticleIds)
   {
-    arrays.ParticleId = AddArray<vtkIntArray>(voxels, count, "ParticleId");
+    arrays.ParticleId = VoxelOutput::Add<vtkIntArray>(voxels, count, "ParticleId");
   }
   for (int n = 0; n < this->GetSettings().FractionArrays(modes); ++n)
   {
     const std::string name = n == 0 ? "VolumeFraction"
       : n <= modes                  ? ruc::Text("VolumeFraction_", n)
                                     : "VolumeFraction_m";
-    arrays.Fractions.push_back(AddArray<vtkFloatArray>(voxels, count, name));
+    arrays.Fractions.push_back(VoxelOutput::Add<vtkFloatArray>(voxels, count, name));
   }
   return arrays;
 }
@@ -279,9 +215,12 @@ void vtkRUCLabelImage::Execute(
   ruc::ValidateLabels(settings, share.NumberOfModes());
   const ruc::VoxelGrid grid = this->MakeGrid(share.Observed, share.MeanDiameter());
   this->RequireAnnounced(grid);
-  this->Announce(grid, outputs->GetInformationObject(0));
+  VoxelOutput::Announce(grid, this->ArrayOn == POINTS, outputs->GetInformationObject(0));
   vtkImageData* image = vtkImageData::GetData(outputs);
-  const ruc::VoxelBlock block = this->SetPiece(image, grid, share, ranks);
+  const bool onPoints = this->ArrayOn == POINTS;
+  const ruc::VoxelBlock block = VoxelOutput::FindPiece(grid, onPoints, ranks);
+  this->RequireRoom(block, share, ranks);
+  VoxelOutput::SetPiece(image, grid, onPoints, ranks);
   const double overlap = this->CheckOverlap(share, false, ranks);
 
   const std::int64_t raise = this->ParticleIds ? ruc::FindRaise(spheres, ranks) : 0;
@@ -293,10 +232,10 @@ void vtkRUCLabelImage::Execute(
 
   if (share.Observed.GetShape() == ruc::Window::Shape::Cylinder)
   {
-    vtkDataSetAttributes* voxels =
-      image->GetAttributes(this->ArrayOn == POINTS ? vtkDataObject::POINT : vtkDataObject::CELL);
+    vtkDataSetAttributes* voxels = VoxelOutput::VoxelsOf(image, this->ArrayOn == POINTS);
     MarkWindow(share.Observed, grid, block,
-      AddArray<vtkUnsignedCharArray>(voxels, static_cast<vtkIdType>(block.Voxels()), "Window"));
+      VoxelOutput::Add<vtkUnsignedCharArray>(
+        voxels, static_cast<vtkIdType>(block.Voxels()), "Window"));
   }
   PackData::AddPackSummary(
     image, pack, share.NumberOfSpheres, ruc::OnePointProbability(share), overlap);

@@ -142,15 +142,6 @@ private:
   ruc::VoxelGrid MakeGrid(const ruc::Window& window, double meanDiameter) const;
   // Returns the grid of the pack, which is asked of the filters upstream. Collective
   ruc::VoxelGrid FindGrid(vtkInformationVector** inputs, vtkInformationVector* outputs);
-  // The extent of the whole image
-  std::array<int, 6> ExtentOf(const std::array<int, 3>& dimensions) const;
-  std::array<double, 3> OriginOf(const ruc::VoxelGrid& grid) const;
-  // Announces the image of a grid
-  void Announce(const ruc::VoxelGrid& grid, vtkInformation* info);
-  // Gives the image its piece of the grid, where there is room for it, and returns which voxels
-  // that has
-  ruc::VoxelBlock SetPiece(vtkImageData* image, const ruc::VoxelGrid& grid,
-    const ruc::PackTotals& totals, RankCommunicator& ranks) const;
   void RequireRoom(
     const ruc::VoxelBlock& block, const ruc::PackTotals& totals, RankCommunicator& ranks) const;
   // Adds the arrays, which are not yet set

@@ -22,7 +22,9 @@ three_point = pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5
 of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=20)
 comparison = pv.CompareProbabilities(Input=two_point, Cell=of_cell)
 replicas = pv.PeriodicReplicas(Input=cell)
-filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, cell, three_point, of_cell, comparison, replicas]
+particles = pv.ParticlesFromImage(Input=pv.LabelImage(Input=modes, Dimensions=[40, 40, 40], VolumeFractions=1), ImageArray="VolumeFraction",
+                                  Residual=1)
+filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, cell, three_point, of_cell, comparison, replicas, particles]
 
 runs = {}
 
@@ -55,7 +57,7 @@ render = pv.CreateView("RenderView", ViewSize=[300, 200])
 displays = [pv.Show(source, render) for source in (reader, modes, cell, replicas)]
 pv.Show(labels, render)
 pv.Render(render)
-for source in (one_point, two_point, directions, of_pairs, chords, radial, three_point, of_cell, comparison):
+for source in (one_point, two_point, directions, of_pairs, chords, radial, three_point, of_cell, comparison, particles):
     source.UpdatePipeline()
 check("the first outputs")
 

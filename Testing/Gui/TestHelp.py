@@ -26,6 +26,7 @@ FORMULAS = {
     'filters.CompareProbabilities': 'E = Σ ‖S_rs pack − S_rs cell‖ / Σ (‖S_rs pack‖ + ‖S_rs cell‖) / 2 × 100 % (17)',
     'filters.LabelImage': 'W(a, b) = (R³ atan2(R z, a b) + a b z) / 3',
     'filters.ParticleModes': '(Σ d³ / N)^(1/3)',
+    'filters.ParticlesFromImage': 'B(r; R) = Φ(t) − (σ / r) φ(t) with t = (R − r) / σ',
     'filters.PeriodicReplicas': 'x + (i L_x, j L_y, k L_z)',
     'filters.PointsToSpherePack': 'centre = Scale × point; Radius = Scale × a for an array a of radii',
     'sources.SpherePackSource': '(Σ 4 π r³ / (3 φ))^(1/3)',

@@ -27,6 +27,10 @@ SMALL = {'NumberOfLines': [200], 'NumberOfThrows': [200], 'MaximumIterations': [
          'Resolution': [4], 'SurfaceResolution': [8]}
 
 
+# The good input of a proxy, where it is not the good one of its kind
+GOOD = {'ParticlesFromImage': {'Input': 'image/good particle'}}
+
+
 def small(settings):
     """The settings of a good case of a proxy."""
     made = {}
@@ -43,6 +47,7 @@ def small(settings):
 def make(description, name, values=None, inputs=None):
     proxy = description['proxies'][name]
     good = {key: found['kinds'][0] + '/good' for key, found in proxy['inputs'].items() if not found['optional']}
+    good.update(GOOD.get(name, {}))
     return {'proxy': name, 'inputs': {**good, **(inputs or {})}, 'set': {**small(proxy['settings']), **(values or {})}}
 
 
@@ -103,7 +108,7 @@ def campaign(description, seed):
     seen, first, rest = set(), [], []
     for case in single:
         plain = small(description['proxies'][case['proxy']]['settings'])
-        changed = [data for data in case['inputs'].values() if not data.endswith('/good')]
+        changed = [data for data in case['inputs'].values() if '/good' not in data]
         changed += [(case['proxy'], key) for key, values in case['set'].items() if values != plain.get(key)]
         new = [item for item in changed if item not in seen]
         seen.update(new)

@@ -237,6 +237,7 @@ PACKS = {
 }
 IMAGES = {
     'good': image(values=lambda n: (numpy.arange(n) < n - 1).astype(float)),  # a mask with a voxel outside; two labels
+    'good particle': image(size=13, values=lambda n: (((numpy.indices((13, 13, 13)) - 6) ** 2).sum(axis=0).ravel() < 20).astype(float)),
     'values on cells': image(on_cells=True),
     'dimensions 0': image(size=0),
     'one voxel': image(size=1),

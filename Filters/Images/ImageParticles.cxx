@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImageParticles.h"
+
+#include "PackData.h"
+#include "RankCommunicator.h"
+#include "VoxelOutput.h"
+#include "ruc/Base/Require.h"
+#include "ruc/Images/Fit/SphereCandidates.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace
+{
+using ruc::Require;
+using ruc::Text;
+
+constexpr double MostLabel = 16777216.0; // up to which floats hold whole numbers
+
+// Adds a point array of numbers find(n)
+template <class Find>
+void AddNumbers(vtkPolyData* data, const char* name, std::size_t count, Find&& find)
+{
+  double* values =
+    VoxelOutput::Add<vtkDoubleArray>(data->GetPointData(), static_cast<vtkIdType>(count), name);
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    values[n] = find(n);
+  }
+}
+}
+
+void ImageParticles::NumberLabels(RankCommunicator& ranks)
+{
+  ruc::VoxelSlab<float>& image = this->Slab;
+  std::vector<std::int64_t>& labels = this->Labels;
+  ranks.Agree(
+    [&]()
+    {
+      for (float value : image.Values)
+      {
+        Require(value >= 0.0f && value <= MostLabel && value == std::rint(value), "ImageArray",
+          Text("labels that are whole numbers from 0 to ", MostLabel), value);
+      }
+    });
+  std::vector<std::int64_t> own;
+  float last = 0.0f;
+  for (float value : image.Values)
+  {
+    if (value != last && value > 0.0f)
+    {
+      own.push_back(static_cast<std::int64_t>(value));
+    }
+    last = value;
+  }
+  const auto sort = [](std::vector<std::int64_t>& of)
+  {
+    std::sort(of.begin(), of.end());
+    of.erase(std::unique(of.begin(), of.end()), of.end());
+  };
+  sort(own);
+  labels = ranks.Concatenate(own);
+  sort(labels);
+  ruc::VoxelSlab<std::int32_t> numbers = { image.Dimensions, image.First, image.Last, {} };
+  numbers.Values.reserve(image.Values.size());
+  for (float& value : image.Values)
+  {
+    const auto place =
+      std::lower_bound(labels.begin(), labels.end(), static_cast<std::int64_t>(value));
+    numbers.Values.push_back(
+      value > 0.0f ? static_cast<std::int32_t>(place - labels.begin()) + 1 : 0);
+    value = value > 0.0f ? 1.0f : 0.0f;
+  }
+  this->Number = std::move(numbers);
+}
+
+void ImageParticles::FindShapes(RankCommunicator& ranks)
+{
+  const std::vector<ruc::FittedBall>& balls = this->Found.Balls;
+  if (!this->HasLabels)
+  {
+    for (std::size_t n = 0; n < balls.size(); ++n)
+    {
+      this->Ids.push_back(static_cast<std::int64_t>(n) + 1);
+    }
+    this->Number = ruc::LabelVoxels(this->Slab, this->Found.Model, ruc::BallsOf(balls));
+    this->Shapes =
+      ruc::MeasureShapes(this->Number, static_cast<std::int32_t>(balls.size()), this->Edges, ranks);
+    return;
+  }
+  // The voxels of a particle are those of its label
+  std::vector<std::int32_t> numbers(this->Labels.size() + 1, 0);
+  std::vector<ruc::ParticleShape> shapes;
+  for (std::size_t n = 0; n < balls.size(); ++n)
+  {
+    numbers[balls[n].Start + 1] = static_cast<std::int32_t>(n) + 1;
+    this->Ids.push_back(this->Labels[balls[n].Start]);
+    shapes.push_back(this->Shapes[balls[n].Start]);
+  }
+  this->Shapes = std::move(shapes);
+  for (std::int32_t& number : this->Number.Values)
+  {
+    number = numbers[number];
+  }
+}
+
+ruc::Vector3 ImageParticles::PlaceOf(const ruc::Ball& ball) const
+{
+  const ruc::Vector3& low = this->Input.Grid.Lower;
+  return { low[0] + this->Edge * ball.Centre[0], low[1] + this->Edge * ball.Centre[1],
+    low[2] + this->Edge * ball.Centre[2] };
+}
+
+int ImageParticles::FacesThatCut(const ruc::Ball& ball) const
+{
+  int faces = 0;
+  for (int q = 0; q < 3; ++q)
+  {
+    const double end = this->Input.Grid.Dimensions[q] * this->Edges[q];
+    faces += ball.Centre[q] < ball.Radius ? 1 : 0;
+    faces += ball.Centre[q] > end - ball.Radius ? 1 : 0;
+  }
+  return faces;
+}
+
+ruc::Window ImageParticles::FindWindow() const
+{
+  const ruc::VoxelGrid& grid = this->Input.Grid;
+  const double margin = this->Found.Margin * this->Edge;
+  ruc::Vector3 low, size;
+  for (int q = 0; q < 3; ++q)
+  {
+    low[q] = grid.Lower[q] + margin;
+    size[q] = grid.Dimensions[q] * grid.Spacing[q] - 2.0 * margin;
+  }
+  return ruc::Window::MakeBox(low, size, { false, false, false });
+}
+
+void ImageParticles::FillPack(vtkPolyData* data) const
+{
+  const std::vector<ruc::FittedBall>& balls = this->Found.Balls;
+  ruc::SpherePack pack;
+  for (const ruc::FittedBall& ball : balls)
+  {
+    const ruc::Vector3 place = this->PlaceOf(ball.At);
+    pack.X.push_back(place[0]);
+    pack.Y.push_back(place[1]);
+    pack.Z.push_back(place[2]);
+    pack.Radius.push_back(this->Edge * ball.At.Radius);
+  }
+  pack.Id = this->Ids;
+  PackData::FillPolyData(pack, data);
+  const auto add = [&](const char* name, auto&& find)
+  { AddNumbers(data, name, balls.size(), find); };
+  const double edge = this->Edge, contrast = this->Found.Model.Contrast;
+  const std::vector<double> depths = ruc::FindOverlapDepths(ruc::BallsOf(balls));
+  add(
+    "EqualVolumeRadius", [&](std::size_t n) { return edge * this->Shapes[n].EqualVolumeRadius(); });
+  add("Sphericity", [&](std::size_t n) { return this->Shapes[n].Sphericity(); });
+  add("Contrast", [&](std::size_t n) { return balls[n].Contrast; });
+  add("FitResidual", [&](std::size_t n) { return balls[n].Residual / contrast; });
+  add("CenterError", [&](std::size_t n) { return edge * balls[n].CenterError; });
+  add("RadiusError", [&](std::size_t n) { return edge * balls[n].RadiusError; });
+  add("OverlapDepth", [&](std::size_t n) { return edge * depths[n]; });
+  add("BorderFaces",
+    [&](std::size_t n) { return static_cast<double>(this->FacesThatCut(balls[n].At)); });
+  data->GetPointData()->SetActiveScalars("Radius");
+}
+
+void ImageParticles::FillDropped(vtkPolyData* data) const
+{
+  const std::vector<ruc::DroppedBall>& dropped = this->Found.Dropped;
+  ruc::SpherePack pack;
+  for (const ruc::DroppedBall& ball : dropped)
+  {
+    const ruc::Vector3 place = this->PlaceOf(ball.Ball.At);
+    pack.X.push_back(place[0]);
+    pack.Y.push_back(place[1]);
+    pack.Z.push_back(place[2]);
+    pack.Radius.push_back(this->Edge * ball.Ball.At.Radius);
+  }
+  PackData::FillPolyData(pack, data);
+  AddNumbers(
+    data, "Contrast", dropped.size(), [&](std::size_t n) { return dropped[n].Ball.Contrast; });
+  AddNumbers(data, "Reason", dropped.size(),
+    [&](std::size_t n) { return static_cast<double>(dropped[n].Reason); });
+  vtkNew<vtkStringArray> reasons;
+  reasons->SetName("ReasonText");
+  for (const ruc::DroppedBall& ball : dropped)
+  {
+    reasons->InsertNextValue(ruc::NameOf(ball.Reason));
+  }
+  data->GetPointData()->AddArray(reasons);
+  data->GetPointData()->SetActiveScalars("Reason");
+}

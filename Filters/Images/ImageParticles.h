@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "LabelInput.h"
+#include "ruc/Images/Fit/FindSpheres.h"
+#include "ruc/Images/Fit/ParticleLabels.h"
+
+#include <cstdint>
+#include <vector>
+
+class vtkPolyData;
+
+/** An image and the particles that are found in it, on the way from the one to the others. */
+struct ImageParticles
+{
+  LabelInput::Image Input;
+  double Edge = 1.0;    // of a voxel, in the mean
+  ruc::Vector3 Edges{}; // over that
+  bool HasLabels = false;
+  bool OfPoints = false; // whether voxels are points
+  ruc::VoxelSlab<float> Slab;
+  ruc::VoxelSlab<std::int32_t> Number; // of the label, and later of the particle, from 1
+  std::vector<std::int64_t> Labels;    // of the image, in rising order
+  ruc::FoundSpheres Found;
+  std::vector<std::int64_t> Ids;
+  std::vector<ruc::ParticleShape> Shapes; // of the labels, and later of the particles
+
+  /**
+   * Numbers the labels of the slab, and replaces those above 0 by 1. Throws std::invalid_argument,
+   * the same on every rank, for values that are no whole numbers from 0 to 2^24. Collective.
+   */
+  void NumberLabels(RankCommunicator& ranks);
+  /** Sets Ids, Number and Shapes for the particles that were found. Collective. */
+  void FindShapes(RankCommunicator& ranks);
+
+  /** The box of the image, less a margin, in which the centres are. */
+  ruc::Window FindWindow() const;
+  /** Fills the outputs on rank 0, as vtkRUCParticlesFromImage says. */
+  void FillPack(vtkPolyData* data) const;
+  void FillDropped(vtkPolyData* data) const;
+
+private:
+  ruc::Vector3 PlaceOf(const ruc::Ball& ball) const;
+  int FacesThatCut(const ruc::Ball& ball) const;
+};
