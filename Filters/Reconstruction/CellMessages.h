@@ -16,6 +16,6 @@ RunProgress DescribeProgress(
   int cell, const ruc::SearchState& state, const CellSearch::Settings& settings);
 
 /** Returns the warnings that a user needs about the cells that were found. */
-std::vector<std::string> FindWarnings(
-  const std::vector<CellSearch::FoundCell>& cells, const CellSearch::Settings& settings);
+std::vector<std::string> FindWarnings(const std::vector<CellSearch::FoundCell>& cells,
+  const ruc::CellContents& contents, const CellSearch::Settings& settings);
 }

@@ -65,6 +65,14 @@ CellSearch::FoundCell NewCell(int number, const ruc::TwoPointProbability& target
   return { number, { {}, ruc::Window(), 0.0, 0.0, {}, 0, ruc::EndReason::None, none, {} }, {}, {} };
 }
 
+// Whether the box is that of the contents, or larger, as where spheres jam
+bool IsBoxOf(const ruc::Window& box, ruc::CellContents contents)
+{
+  const bool larger = box.Size[0] >= contents.Edge && box.Size[0] <= 1.25 * contents.Edge;
+  contents.Edge = box.Size[0];
+  return larger && box == contents.MakeBox();
+}
+
 // Throws if a cell that was read cannot be one of these contents and this target
 void RequireFit(const CellSearch::FoundCell& found, const ruc::CellContents& contents,
   const ruc::TwoPointProbability& target)
@@ -75,7 +83,7 @@ void RequireFit(const CellSearch::FoundCell& found, const ruc::CellContents& con
   const ruc::TwoPointProbability& s = found.Cell.Probability;
   const bool fits = pack.X.size() == spheres && pack.Y.size() == spheres &&
     pack.Z.size() == spheres && pack.Radius == expected.Radius && pack.Mode == expected.Mode &&
-    pack.Id == expected.Id && found.Cell.Box == contents.MakeBox() &&
+    pack.Id == expected.Id && IsBoxOf(found.Cell.Box, contents) &&
     !found.Cell.Convergence.empty() && ruc::IsFromOutside(found.Cell.EndedBy) &&
     s.Modes == target.Modes && s.Lags.Count == target.Lags.Count &&
     s.Fractions.size() == target.Fractions.size() && s.Values.size() == target.Values.size() &&

@@ -110,7 +110,7 @@ void AddCellFields(
   number("Objective", cell.Objective);
   number("StartObjective", cell.StartObjective);
   number("OnePointDifference",
-    ruc::OnePointDifference(all.Contents, all.Target.Fractions, all.Contents.Edge));
+    ruc::OnePointDifference(all.Contents, all.Target.Fractions, cell.Box.Size[0]));
   whole("Iterations", cell.Iterations);
   PackData::AddField(data, "EndedBy", std::string(ruc::NameOf(cell.EndedBy)));
   whole("Stopped", ruc::IsFromOutside(cell.EndedBy));

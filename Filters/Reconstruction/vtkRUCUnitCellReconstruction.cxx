@@ -269,7 +269,7 @@ void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents
     { cells, contents, target, this->Search, lengthUnit }, outputs, ranks.Rank() == 0);
   if (ranks.Rank() == 0)
   {
-    for (const std::string& warning : CellMessages::FindWarnings(cells, this->Search))
+    for (const std::string& warning : CellMessages::FindWarnings(cells, contents, this->Search))
     {
       vtkWarningMacro(<< warning);
     }

@@ -3,11 +3,18 @@
 #include "ruc/Reconstruction/GradientSearch.h"
 
 #include "ruc/Base/Text.h"
+#include "ruc/Packing/DensePack.h"
+#include "ruc/Packing/EventRemoval.h"
+#include "ruc/Packing/HardSpheres.h"
+#include "ruc/Packing/MaximumFraction.h"
+#include "ruc/Packing/OverlapRemoval.h"
+#include "ruc/Particles/SphereOverlap.h"
 #include "ruc/Reconstruction/CellObjective.h"
 #include "ruc/Reconstruction/CellStart.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace ruc
@@ -31,6 +38,54 @@ double OverlapPercent(const TwoPointProbability& probability)
   return std::max(0.5 * (counted - fraction) / fraction, 0.0) * 100.0;
 }
 
+// For dense cells; found on equal spheres and on two sizes
+constexpr double SoftStiffness = 1.0, FirstStiffness = 10.0; // mu
+constexpr int IterationsOfRound = 40, MostRounds = 40;
+constexpr double LeastSoftProgress = 0.005; // of F2 in IterationsOfRound
+constexpr double LeastOverlap = 3e-7;       // of a contact, that events take out without a trace
+constexpr double FirstStepIfDense = 0.1;
+constexpr double LongestEdge = 1.2; // of that of the contents, where spheres jam
+
+double FractionOf(const CellContents& contents)
+{
+  double volume = 0.0;
+  for (double r : contents.Radii())
+  {
+    volume += SphereVolume(r);
+  }
+  return volume / (contents.Edge * contents.Edge * contents.Edge);
+}
+
+// Throws where no random pack is as dense as the cell
+bool IsDense(const CellContents& contents)
+{
+  const std::vector<double> radii = contents.Radii();
+  const double fraction = FractionOf(contents), maximum = MaximumRandomFraction(radii);
+  if (fraction > maximum + 0.015)
+  {
+    throw std::invalid_argument(Text("A cell of these spheres would have a fraction of ", fraction,
+      ", which is more than random packs of these sizes reach (about ", maximum, ")."));
+  }
+  const double largest = 2.0 * *std::max_element(radii.begin(), radii.end());
+  return radii.size() > 1 && fraction > DenseShare * maximum &&
+    contents.Edge > HardSpheres::LeastEdgeInDiameters * largest * (1.0 + 1e-6);
+}
+
+// Whether the numbers of a state that was read can be those of a cell
+bool FitsCell(const ContactState& contacts, int spheres)
+{
+  bool fits = contacts.Stiffness >= 0.0 && contacts.Stiffness <= 1e30 && contacts.Round >= 0 &&
+    contacts.Deepest >= 0.0 && contacts.First.size() == contacts.Second.size() &&
+    contacts.First.size() == contacts.Multiplier.size();
+  for (std::size_t n = 0; fits && n < contacts.First.size(); ++n)
+  {
+    fits = contacts.First[n] >= 0 && contacts.First[n] < contacts.Second[n] &&
+      contacts.Second[n] < spheres && contacts.Multiplier[n] > 0.0 &&
+      std::isfinite(contacts.Multiplier[n]);
+  }
+  return fits;
+}
+
 class Search
 {
 public:
@@ -44,15 +99,18 @@ public:
     , Ranks(communicator)
     , CarryOn(carryOn)
     , Save(save)
-    , Objective(contents, target, communicator)
     , Best{ {}, contents.MakeBox(), 0.0, 0.0, {}, 0, EndReason::None, target, {} }
+    , Dense(IsDense(contents))
   {
-    this->Objective.SetPenaltyWeight(DescentPenaltyWeight);
   }
 
   void Start()
   {
-    const std::vector<double> centres = RandomCentres(this->Contents, this->Settings.Seed, 0);
+    const std::vector<double> centres =
+      this->Dense ? this->DenseCentres() : RandomCentres(this->Contents, this->Settings.Seed, 0);
+    this->State.Contacts.Stiffness = this->Dense ? SoftStiffness : 0.0;
+    this->State.Edge = this->Contents.Edge;
+    this->MakeObjective();
     this->Evaluate(centres.data(), nullptr);
     this->Record(SearchPhase::RemovingOverlap, this->Terms.TwoPoint, this->Overlap());
     this->Keep(centres);
@@ -71,7 +129,16 @@ public:
       throw std::invalid_argument(Text("Resuming requires a state of ", length / 3,
         " spheres, got one of ", state.Descent.Place.size() / 3, "."));
     }
+    const double longest = this->Dense ? LongestEdge * this->Contents.Edge : this->Contents.Edge;
+    if ((state.Contacts.Stiffness > 0.0) != this->Dense ||
+      !FitsCell(state.Contacts, this->Contents.NumberOfSpheres()) ||
+      !(state.Edge >= this->Contents.Edge && state.Edge <= longest))
+    {
+      throw std::invalid_argument("The contacts of the state are damaged or of another cell.");
+    }
     this->State = state;
+    this->Contents.Edge = state.Edge;
+    this->MakeObjective();
     this->Evaluate(state.Descent.Place.data(), nullptr);
     this->Keep(state.Best);
   }
@@ -112,10 +179,28 @@ public:
   }
 
 private:
+  // Once it is known how large the cell is
+  void MakeObjective()
+  {
+    this->Best.Box = this->Contents.MakeBox();
+    this->Objective.emplace(this->Contents, this->Target, this->Ranks);
+    this->Objective->SetPenaltyWeight(this->Dense ? 0.0 : DescentPenaltyWeight);
+    if (this->Dense)
+    {
+      const std::vector<double> anywhere(3 * this->Contents.NumberOfSpheres(), 0.0);
+      this->Contacts.emplace(
+        this->Contents.MakePack(anywhere.data()), this->Best.Box, this->State.Contacts);
+    }
+  }
+
   // A wish to stop on any rank reaches all ranks with the sums of the evaluation
   void Evaluate(const double* centres, double* gradient)
   {
-    this->Terms = this->Objective.Evaluate(centres, gradient, &this->Wish);
+    this->Terms = this->Objective->Evaluate(centres, gradient, &this->Wish);
+    if (this->Contacts)
+    {
+      this->Terms.Penalty = this->Contacts->Add(centres, gradient);
+    }
     this->Stopped = this->Stopped || this->Wish > 0;
     this->Wish = 0;
   }
@@ -128,7 +213,51 @@ private:
     }
   }
 
-  double Overlap() const { return OverlapPercent(this->Objective.GetProbability()); }
+  // The same on all ranks, at once
+  void AskAll(const SearchState& state)
+  {
+    if (!this->Stopped)
+    {
+      this->Ask(state);
+      std::int64_t wish = this->Wish;
+      this->Ranks.Sum(&wish, 1);
+      this->Wish = 0;
+      this->Stopped = wish > 0;
+    }
+  }
+
+  // A pack by events. Where it jams, the cell becomes larger; where it is stopped, it fills the
+  // cell with some overlap.
+  std::vector<double> DenseCentres()
+  {
+    DensePackSettings settings;
+    settings.Radii = this->Contents.Radii();
+    settings.Fraction = FractionOf(this->Contents);
+    settings.Seed = this->Settings.Seed;
+    settings.Protocol = PackingProtocol::Events;
+    const DensePack made = MakeDensePack(settings,
+      [&](const GrowthStep&, double)
+      {
+        this->AskAll({ SearchPhase::RemovingOverlap, 0, 0.0, 0.0 });
+        return !this->Stopped;
+      });
+    if (made.Pack.Empty())
+    {
+      return RandomCentres(this->Contents, this->Settings.Seed, 0);
+    }
+    if (made.Jammed)
+    {
+      this->Contents.Edge = std::min(made.Box.Size[0], LongestEdge * this->Contents.Edge);
+    }
+    std::vector<double> centres = CentresOf(made.Pack);
+    for (double& c : centres)
+    {
+      c *= this->Contents.Edge / made.Box.Size[0];
+    }
+    return centres;
+  }
+
+  double Overlap() const { return OverlapPercent(this->Objective->GetProbability()); }
 
   void Record(SearchPhase phase, double objective, double overlapPercent)
   {
@@ -154,23 +283,24 @@ private:
     // A search that is to stop still gets the few steps in which most cells are freed, unless it
     // has none yet
     constexpr int MostQuestions = 50;
-    int questions = this->Best.Pack.Empty() ? MostQuestions : 0;
+    int questions = this->Best.Pack.Empty() && !this->Contacts ? MostQuestions : 0;
     const SearchState state = { SearchPhase::RemovingOverlap,
       static_cast<int>(this->State.Convergence.size()), this->Terms.TwoPoint, this->Overlap() };
-    UnitCell cell = FinishUnitCell(this->Contents.MakePack(centres.data()), this->Best.Box,
-      this->Target, this->Settings.Seed, this->Ranks,
-      [&]()
-      {
-        if (!this->Stopped)
-        {
-          this->Ask(state);
-          std::int64_t wish = this->Wish;
-          this->Ranks.Sum(&wish, 1);
-          this->Wish = 0;
-          this->Stopped = wish > 0;
-        }
-        return !this->Stopped || ++questions < MostQuestions;
-      });
+    const auto carryOn = [&]()
+    {
+      this->AskAll(state);
+      return !this->Stopped || ++questions < MostQuestions;
+    };
+    SpherePack pack = this->Contents.MakePack(centres.data());
+    if (this->Contacts)
+    {
+      RemoveOverlapByEvents(pack, this->Best.Box, this->Settings.Seed, carryOn);
+    }
+    else
+    {
+      RemoveOverlap(pack, this->Best.Box, this->Settings.Seed, carryOn);
+    }
+    UnitCell cell = MeasureUnitCell(std::move(pack), this->Best.Box, this->Target, this->Ranks);
     const bool first = this->Best.Pack.Empty();
     const bool freer = cell.Overlap.IsNone() && !this->Best.Overlap.IsNone();
     if (first || freer ||
@@ -184,32 +314,90 @@ private:
 
   EndReason Descend()
   {
-    EndReason endedBy = EndReason::Converged;
+    EndReason endedBy = EndReason::None;
     DescentSettings settings;
-    settings.FirstStep = FirstStepOf(this->Contents);
-    const DescentEnd end = ruc::Descend(
-      this->State.Descent, settings,
-      [&](const double* place, double* gradient, double& value)
-      {
-        this->Ask(this->State.Convergence.back());
-        this->Evaluate(place, gradient);
-        value = this->Terms.Total();
-        return !this->Stopped;
-      },
-      [&](const DescentState& descent)
-      {
-        endedBy = this->AfterIteration(descent);
-        if (this->Save)
-        {
-          this->Save(this->State);
-        }
-        return endedBy == EndReason::None;
-      });
-    if (end == DescentEnd::NowhereTo)
+    settings.FirstStep = FirstStepOf(this->Contents) * (this->Contacts ? FirstStepIfDense : 1.0);
+    DescentEnd end = DescentEnd::Told;
+    do
     {
+      this->RoundEnds = false;
+      end = ruc::Descend(
+        this->State.Descent, settings,
+        [&](const double* place, double* gradient, double& value)
+        {
+          this->Ask(this->State.Convergence.back());
+          this->Evaluate(place, gradient);
+          value = this->Terms.Total();
+          return !this->Stopped;
+        },
+        [&](const DescentState& descent)
+        {
+          endedBy = this->AfterIteration(descent);
+          if (this->Save)
+          {
+            this->Save(this->State);
+          }
+          return endedBy == EndReason::None && !this->RoundEnds;
+        });
+      if (end == DescentEnd::NowhereTo)
+      {
+        endedBy = this->Contacts ? this->EndRound() : EndReason::Converged;
+      }
+    } while (end != DescentEnd::GivenUp && endedBy == EndReason::None);
+    return end == DescentEnd::GivenUp ? EndReason::Stopped : endedBy;
+  }
+
+  // Ends a round of the multipliers, or the soft stage before them, and keeps its cell. The
+  // function that is minimised is then another. Returns what ends the search, or None.
+  EndReason EndRound()
+  {
+    ContactState& contacts = this->State.Contacts;
+    DescentState& descent = this->State.Descent;
+    this->RoundEnds = true;
+    descent.Gradient.clear();
+    this->Keep(descent.Place);
+    if (this->MeetsTarget())
+    {
+      return EndReason::TargetObjective;
+    }
+    const double before = contacts.Deepest;
+    if (contacts.Round++ == 0)
+    {
+      contacts.Stiffness = FirstStiffness;
+      descent.Steps.clear();
+      descent.GradientChanges.clear();
+      return EndReason::None;
+    }
+    contacts.Deepest = this->Contacts->Update(descent.Place.data());
+    if (contacts.Deepest < LeastOverlap || contacts.Round > MostRounds)
+    {
+      this->State.Converged = true;
       return EndReason::Converged;
     }
-    return end == DescentEnd::GivenUp ? EndReason::Stopped : endedBy;
+    if (contacts.Deepest > 0.25 * before)
+    {
+      contacts.Stiffness *= 2.0;
+    }
+    return EndReason::None;
+  }
+
+  // The same for a dense cell
+  EndReason AfterDenseIteration(const DescentState& descent)
+  {
+    const double objective = this->Terms.TwoPoint;
+    EndReason endedBy = EndReason::None;
+    if (descent.Iterations % IterationsOfRound == 0)
+    {
+      const bool soft = this->State.Contacts.Round == 0;
+      if (!soft || objective > (1.0 - LeastSoftProgress) * this->State.Kept)
+      {
+        endedBy = this->EndRound();
+      }
+      this->State.Kept = objective;
+    }
+    return endedBy == EndReason::None && descent.Iterations >= this->Settings.MaximumIterations
+      ? EndReason::MaximumIterations
+      : endedBy;
   }
 
   // Returns what ends the search, or None
@@ -217,6 +405,10 @@ private:
   {
     const double objective = this->Terms.TwoPoint;
     this->Record(SearchPhase::MinimisingObjective, objective, this->Overlap());
+    if (this->Contacts)
+    {
+      return this->AfterDenseIteration(descent);
+    }
     const bool due = descent.Iterations % IterationsBetweenKept == 0;
     const bool promising =
       objective <= this->Settings.TargetObjective && objective < 0.99 * this->State.Tried;
@@ -242,16 +434,19 @@ private:
                                                                   : EndReason::None;
   }
 
-  const CellContents& Contents;
+  CellContents Contents; // with another edge where spheres jam
   const GradientSearchSettings& Settings;
   const TwoPointProbability& Target;
   Communicator& Ranks;
   const std::function<bool(const SearchState&)>& CarryOn;
   const std::function<void(const GradientState&)>& Save;
-  CellObjective Objective;
+  std::optional<CellObjective> Objective;
   CellObjective::Terms Terms{};
   GradientState State;
+  std::optional<ContactMultipliers> Contacts; // of a dense cell
+  bool RoundEnds = false;
   UnitCell Best;
+  bool Dense;
   std::int64_t Wish = 0; // 1 where this rank wishes to stop
   bool Stopped = false;  // the same on all ranks
 };

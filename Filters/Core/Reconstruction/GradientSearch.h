@@ -5,6 +5,7 @@
 #include "ruc/Base/Communicator.h"
 #include "ruc/Base/Estimate.h"
 #include "ruc/Reconstruction/CellContents.h"
+#include "ruc/Reconstruction/ContactMultipliers.h"
 #include "ruc/Reconstruction/CellObjective.h"
 #include "ruc/Base/Descent.h"
 #include "ruc/Reconstruction/SearchSettings.h"
@@ -65,19 +66,33 @@ struct GradientState
   double Tried = 0.0; // F2 when a cell was last freed from overlap
   bool Converged = false;
   std::vector<SearchState> Convergence;
+  // Of a dense cell
+  ContactState Contacts;
+  double Edge = 0.0;
 
   template <class Self>
   static auto Fields(Self& self)
   {
     return std::tie(self.Descent, self.Best, self.StartObjective, self.Kept, self.Tried,
-      self.Converged, self.Convergence);
+      self.Converged, self.Convergence, self.Contacts, self.Edge);
   }
 };
+
+/**
+ * Above this share of MaximumRandomFraction cells are dense: their spheres touch so often that a
+ * search from random centres would jam, with overlap.
+ */
+constexpr double DenseShare = 0.94;
 
 /**
  * Looks for the periodic cell with the given contents whose two-point probability is nearest to the
  * target (13), without overlap (14). It begins with random centres, pushes their overlap out, runs
  * L-BFGS on F2 with an overlap penalty, and removes the last overlap exactly.
+ *
+ * A dense cell begins with a pack by events (MakeDensePack). L-BFGS descends first with soft
+ * contacts, then with multipliers (ContactMultipliers), and every cell that is kept is freed by
+ * RemoveOverlapByEvents, so that there is one without overlap at any moment. Where the spheres jam
+ * before they fill the cell as they should, the cell is larger: UnitCell::Box tells.
  *
  * Every rank returns the same bits, whatever the number of ranks and threads. `carryOn` is asked on
  * every rank before every evaluation of F2 and every few steps in which overlap is removed; when it
@@ -85,7 +100,8 @@ struct GradientState
  * the state after every iteration of L-BFGS. `resume` is a state to go on from, on any number of
  * ranks. Collective.
  *
- * Throws std::invalid_argument for settings out of range, and if `resume` is not a state of such
+ * Throws std::invalid_argument for settings out of range, for a fraction that is more than 0.015
+ * above MaximumRandomFraction, and if `resume` is not a state of such
  * contents.
  */
 UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbability& target,

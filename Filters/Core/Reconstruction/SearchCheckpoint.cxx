@@ -11,7 +11,7 @@ namespace ruc
 namespace
 {
 constexpr std::string_view Magic = "RUCSTATE";
-constexpr std::uint32_t Version = 2;
+constexpr std::uint32_t Version = 3;
 constexpr const char* What = "checkpoint";
 constexpr std::uint64_t GradientMethod = 1, PopulationMethod = 2;
 

@@ -11,6 +11,12 @@ UnitCell FinishUnitCell(SpherePack pack, const Window& box, const TwoPointProbab
   std::uint32_t seed, Communicator& ranks, const std::function<bool()>& carryOn)
 {
   RemoveOverlap(pack, box, seed, carryOn);
+  return MeasureUnitCell(std::move(pack), box, target, ranks);
+}
+
+UnitCell MeasureUnitCell(
+  SpherePack pack, const Window& box, const TwoPointProbability& target, Communicator& ranks)
+{
   // All ranks hold the cell, so one of them hands it out
   const PackShare share = SharePack(ranks.Rank() == 0 ? pack : SpherePack(), box, true, ranks);
   TwoPointProbability probability = SumPairs(share, target.Lags, ranks);

@@ -45,10 +45,16 @@ struct UnitCell
 };
 
 /**
- * Returns the cell of these spheres in a periodic box, freed from overlap by RemoveOverlap (with
- * its seed and `carryOn`, which must return the same on every rank). Its overlap is measured, and
- * its S_rs and F2 are found by the estimator that made the target. The fields that belong to a
- * search are left empty. Collective.
+ * Returns the cell of these spheres in a periodic box. Its overlap is measured, and its S_rs and F2
+ * are found by the estimator that made the target. The fields that belong to a search are left
+ * empty. Collective.
+ */
+UnitCell MeasureUnitCell(
+  SpherePack pack, const Window& box, const TwoPointProbability& target, Communicator& ranks);
+
+/**
+ * The same, freed from overlap before by RemoveOverlap (with its seed and `carryOn`, which must
+ * return the same on every rank). Collective.
  */
 UnitCell FinishUnitCell(SpherePack pack, const Window& box, const TwoPointProbability& target,
   std::uint32_t seed, Communicator& ranks, const std::function<bool()>& carryOn);
