@@ -22,8 +22,9 @@ def run(script, *arguments, ranks=1):
     with open(os.path.join(FOLDER, 'bad.csv'), 'w', encoding='utf-8') as file:
         file.write('x,y,z,radius\n1,2,oops,0.3\n')
     command = [MPIEXEC, '--oversubscribe', '-np', str(ranks), PVBATCH, script, *arguments]
-    done = subprocess.run(command, cwd=FOLDER, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=100, check=False)
-    return done.returncode, done.stdout, ERROR.findall(done.stdout)
+    # Errors by themselves: mpiexec puts what a script prints into the middle of their lines
+    done = subprocess.run(command, cwd=FOLDER, capture_output=True, text=True, timeout=100, check=False)
+    return done.returncode, done.stdout + done.stderr, ERROR.findall(done.stderr)
 
 
 def require_end(what, code, output, errors):
