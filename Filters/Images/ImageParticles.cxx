@@ -91,13 +91,26 @@ void ImageParticles::FindShapes(RankCommunicator& ranks)
     {
       this->Ids.push_back(static_cast<std::int64_t>(n) + 1);
     }
-    this->Number = ruc::LabelVoxels(this->Slab, this->Found.Model, ruc::BallsOf(balls));
-    this->Shapes =
-      ruc::MeasureShapes(this->Number, static_cast<std::int32_t>(balls.size()), this->Edges, ranks);
+    std::vector<ruc::Ball> all = ruc::BallsOf(balls);
+    for (const ruc::DroppedBall& dropped : this->Found.Dropped)
+    {
+      if (dropped.IsParticle())
+      {
+        all.push_back(dropped.Ball.At);
+      }
+    }
+    this->Number = ruc::LabelVoxels(this->Slab, this->Found.Model, all);
+    const auto count = static_cast<std::int32_t>(balls.size());
+    for (std::int32_t& number : this->Number.Values)
+    {
+      number = number > count ? NotInPack : number;
+    }
+    this->Shapes = ruc::MeasureShapes(this->Number, count, this->Edges, ranks);
     return;
   }
   // The voxels of a particle are those of its label
-  std::vector<std::int32_t> numbers(this->Labels.size() + 1, 0);
+  std::vector<std::int32_t> numbers(this->Labels.size() + 1, NotInPack);
+  numbers[0] = 0;
   std::vector<ruc::ParticleShape> shapes;
   for (std::size_t n = 0; n < balls.size(); ++n)
   {

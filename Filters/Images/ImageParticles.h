@@ -20,8 +20,11 @@ struct ImageParticles
   bool HasLabels = false;
   bool OfPoints = false; // whether voxels are points
   ruc::VoxelSlab<float> Slab;
-  ruc::VoxelSlab<std::int32_t> Number; // of the label, and later of the particle, from 1
-  std::vector<std::int64_t> Labels;    // of the image, in rising order
+  /** Of the label, and later of the particle, from 1; NotInPack for particles that are not in the
+   * pack. */
+  ruc::VoxelSlab<std::int32_t> Number;
+  static constexpr std::int32_t NotInPack = -1;
+  std::vector<std::int64_t> Labels; // of the image, in rising order
   ruc::FoundSpheres Found;
   std::vector<std::int64_t> Ids;
   std::vector<ruc::ParticleShape> Shapes; // of the labels, and later of the particles

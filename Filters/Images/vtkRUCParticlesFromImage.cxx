@@ -226,7 +226,8 @@ void vtkRUCParticlesFromImage::FillImages(
   int* ids =
     VoxelOutput::Add<vtkIntArray>(voxels, static_cast<vtkIdType>(numbers.size()), "ParticleId");
   std::transform(numbers.begin(), numbers.end(), ids,
-    [&](std::int32_t number) { return number > 0 ? static_cast<int>(work.Ids[number - 1]) : 0; });
+    [&](std::int32_t number)
+    { return number > 0 ? static_cast<int>(work.Ids[number - 1]) : number; });
 
   voxels = prepare(RESIDUAL, block);
   if (this->Residual)

@@ -17,7 +17,9 @@
  * `MatrixValue`, `ParticleValue`, `Blur` (a length), `Noise` (over the contrast), `Threshold`,
  * `VoxelsPerDiameter`, `Sweeps` and `Stopped`.
  *
- * Output 1 is the image with `ParticleId` (int): 0 in the matrix, else the Id. Output 2 are the
+ * Output 1 is the image with `ParticleId` (int): the Id, 0 in the matrix, and -1 in particles that
+ * are not in the pack, as their centre lies outside or near the border; of a label image in all
+ * labels that are not in it. Output 2 are the
  * candidates that are not in the pack, with `Radius`, `Contrast`, `Reason` (ruc::DropReason) and
  * `ReasonText`. Output 3 is, with Residual, the image with `Residual` (float), what is left of it
  * when the fitted spheres are taken away.

@@ -288,7 +288,7 @@ VoxelSlab<float> ResidualOf(VoxelSlab<float> image, const FoundSpheres& found, C
   fit.Add(BallsOf(found.Balls));
   for (const DroppedBall& dropped : found.Dropped)
   {
-    if (dropped.Reason == DropReason::Outside || dropped.Reason == DropReason::NearBorder)
+    if (dropped.IsParticle())
     {
       fit.Add({ dropped.Ball.At });
     }

@@ -49,6 +49,12 @@ struct DroppedBall
 {
   FittedBall Ball;
   DropReason Reason;
+
+  /** Whether it is a particle of which only the place is wrong. */
+  bool IsParticle() const
+  {
+    return this->Reason == DropReason::Outside || this->Reason == DropReason::NearBorder;
+  }
 };
 
 struct FoundSpheres
