@@ -85,6 +85,7 @@ void ImageParticles::NumberLabels(RankCommunicator& ranks)
 void ImageParticles::FindShapes(RankCommunicator& ranks)
 {
   const std::vector<ruc::FittedBall>& balls = this->Found.Balls;
+  this->Slab = ruc::ResidualOf(std::exchange(this->Slab, {}), this->Found, ranks);
   if (!this->HasLabels)
   {
     for (std::size_t n = 0; n < balls.size(); ++n)

@@ -18,8 +18,8 @@ struct ImageParticles
   double Edge = 1.0;    // of a voxel, in the mean
   ruc::Vector3 Edges{}; // over that
   bool HasLabels = false;
-  bool OfPoints = false; // whether voxels are points
-  ruc::VoxelSlab<float> Slab;
+  bool OfPoints = false;      // whether voxels are points
+  ruc::VoxelSlab<float> Slab; // of the values, and later of what is left of them
   /** Of the label, and later of the particle, from 1; NotInPack for particles that are not in the
    * pack. */
   ruc::VoxelSlab<std::int32_t> Number;
@@ -34,7 +34,8 @@ struct ImageParticles
    * the same on every rank, for values that are no whole numbers from 0 to 2^24. Collective.
    */
   void NumberLabels(RankCommunicator& ranks);
-  /** Sets Ids, Number and Shapes for the particles that were found. Collective. */
+  /** Sets Ids, Number and Shapes for the particles that were found, and takes these from the slab.
+   * Collective. */
   void FindShapes(RankCommunicator& ranks);
 
   /** The box of the image, less a margin, in which the centres are. */

@@ -232,8 +232,7 @@ void vtkRUCParticlesFromImage::FillImages(
   voxels = prepare(RESIDUAL, block);
   if (this->Residual)
   {
-    const std::vector<float> left = ruc::TakeBlock(
-      ruc::ResidualOf(std::exchange(work.Slab, {}), work.Found, ranks), block, ranks);
+    const std::vector<float> left = ruc::TakeBlock(std::exchange(work.Slab, {}), block, ranks);
     const float sign = this->ParticlesAre == DARK && !work.HasLabels ? -1.0f : 1.0f;
     std::transform(left.begin(), left.end(),
       VoxelOutput::Add<vtkFloatArray>(voxels, static_cast<vtkIdType>(left.size()), "Residual"),

@@ -53,6 +53,18 @@ void TakePlane(const Ball& ball, std::int32_t number, const Vector3& edges, int 
   }
 }
 
+// Whether a voxel so far outside a ball's surface, with that residual, belongs to the ball
+bool IsIn(double radius, double outside, double residual, const GreyModel& model)
+{
+  const auto ball = [&](double t, double r)
+  {
+    return 0.5 * std::erfc(-t / std::sqrt(2.0)) -
+      model.Blur / r * std::exp(-0.5 * t * t) / std::sqrt(2.0 * Pi);
+  };
+  const double r = std::max(radius + outside, 0.5);
+  return model.Contrast * (ball(-outside / model.Blur, r) - ball(0.0, radius)) + residual > 0.0;
+}
+
 // Half of the directions to the 26 neighbours
 struct Direction
 {
@@ -114,41 +126,40 @@ void CountPlane(const VoxelSlab<std::int32_t>& labels, int z, std::vector<std::i
 }
 
 VoxelSlab<std::int32_t> LabelVoxels(
-  const VoxelSlab<float>& image, const GreyModel& model, const std::vector<Ball>& balls)
+  const VoxelSlab<float>& residual, const GreyModel& model, const std::vector<Ball>& balls)
 {
   const Vector3& edges = model.Edges;
-  std::vector<float> thresholds = { std::numeric_limits<float>::infinity() }; // of no ball
-  for (const Ball& ball : balls)
-  {
-    thresholds.push_back(static_cast<float>(
-      model.Matrix + model.Contrast * (0.5 - model.Blur / (ball.Radius * std::sqrt(2.0 * Pi)))));
-  }
-  VoxelSlab<std::int32_t> labels = { image.Dimensions, image.First, image.Last, {} };
-  labels.Values.assign(image.Values.size(), 0);
-  std::vector<std::vector<std::int32_t>> ofPlane(image.Last - image.First);
+  VoxelSlab<std::int32_t> labels = { residual.Dimensions, residual.First, residual.Last, {} };
+  labels.Values.assign(residual.Values.size(), 0);
+  std::vector<std::vector<std::int32_t>> ofPlane(residual.Last - residual.First);
   for (std::size_t n = 0; n < balls.size(); ++n)
   {
     const auto [first, last] =
-      VoxelsWithin(balls[n].Centre[2], ReachOf(balls[n]), edges[2], image.First, image.Last);
+      VoxelsWithin(balls[n].Centre[2], ReachOf(balls[n]), edges[2], residual.First, residual.Last);
     for (int z = first; z < last; ++z)
     {
-      ofPlane[z - image.First].push_back(static_cast<std::int32_t>(n));
+      ofPlane[z - residual.First].push_back(static_cast<std::int32_t>(n));
     }
   }
 #pragma omp parallel
   {
     std::vector<float> nearest;
 #pragma omp for schedule(dynamic)
-    for (int z = image.First; z < image.Last; ++z)
+    for (int z = residual.First; z < residual.Last; ++z)
     {
-      nearest.assign(image.PlaneSize(), std::numeric_limits<float>::infinity());
-      for (std::int32_t n : ofPlane[z - image.First])
+      nearest.assign(residual.PlaneSize(), std::numeric_limits<float>::infinity());
+      for (std::int32_t n : ofPlane[z - residual.First])
       {
         TakePlane(balls[n], n + 1, edges, z, labels, nearest);
       }
-      const float* values = image.Row(0, z);
-      std::transform(values, values + image.PlaneSize(), labels.Row(0, z), labels.Row(0, z),
-        [&](float value, std::int32_t label) { return value > thresholds[label] ? label : 0; });
+      const float* left = residual.Row(0, z);
+      std::int32_t* plane = labels.Row(0, z);
+      for (std::size_t k = 0; k < residual.PlaneSize(); ++k)
+      {
+        plane[k] = plane[k] > 0 && IsIn(balls[plane[k] - 1].Radius, nearest[k], left[k], model)
+          ? plane[k]
+          : 0;
+      }
     }
   }
   return labels;

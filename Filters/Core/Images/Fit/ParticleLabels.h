@@ -12,12 +12,13 @@ namespace ruc
 {
 /**
  * Labels this rank's voxels by the ball to whose surface each is nearest, |x - c_i| - R_i, of those
- * with the centre within 1.5 radii and a voxel. It gets the ball's number, from 1, where it is
- * above the value that the model has on the surface, m + C (1/2 - Blur / (R sqrt(2 pi))), so that
- * the voxels of a ball have its volume; else 0. The image has no halo.
+ * with the centre within 1.5 radii and a voxel. It gets the ball's number, from 1, where the image
+ * less all other balls, Contrast B_i + residual, is above the value that the model has on the
+ * surface of the ball; else 0. So the voxels of a ball have its volume, also among neighbours,
+ * whose blur makes what is between them brighter. The residual has no halo.
  */
 VoxelSlab<std::int32_t> LabelVoxels(
-  const VoxelSlab<float>& image, const GreyModel& model, const std::vector<Ball>& balls);
+  const VoxelSlab<float>& residual, const GreyModel& model, const std::vector<Ball>& balls);
 
 /** The voxels of a label, as they are counted. */
 struct ParticleShape
