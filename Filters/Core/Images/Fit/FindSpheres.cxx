@@ -16,6 +16,9 @@ namespace
 constexpr int Rounds = 3;
 constexpr int FirstSweeps = 6, SweepsOfRound = 4, LastSweeps = 12;
 constexpr double MovingOfRound = 0.1; // the share of balls that may still move in a round
+// Of a million voxels of noise, smoothed, some reach six deviations, and the fit looks for the
+// place where they reach more
+constexpr double LeastSignal = 10.0;
 constexpr double LeastContrast = 0.5, BlurOfBinary = 0.3;
 constexpr double LeastCandidate = 1.0; // the radius of one that is fitted
 
@@ -193,7 +196,7 @@ void Search::DropFalse(SphereFit& fit)
   this->Drop(fit,
     [&](const FittedBall& ball, std::size_t n) -> std::optional<DropReason>
     {
-      if (!(ball.Contrast > LeastContrast))
+      if (!(ball.Contrast > LeastContrast) || ball.Signal < LeastSignal)
       {
         return DropReason::LowContrast;
       }

@@ -32,7 +32,8 @@ struct SphereSearch
 /** Why a candidate is no particle. */
 enum class DropReason
 {
-  LowContrast, // it is less than half as much above the matrix as particles are
+  LowContrast, // it is less than half as much above the matrix as particles are, or not ten
+               // standard errors
   Small,       // its diameter is below LeastDiameter
   Overlaps,    // it overlaps a larger one by more than OverlapTolerance
   Outside,     // its centre lies outside the image

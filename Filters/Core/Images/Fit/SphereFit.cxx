@@ -317,6 +317,9 @@ FittedBall SphereFit::Moved(const FittedBall& ball, const BallSums& sums) const
   moved.Contrast =
     sums.Square > 0.0 ? 1.0 + sums.Product / (this->Model.Contrast * sums.Square) : 0.0;
   moved.Residual = sums.Weights > 0.0 ? std::sqrt(sums.WeightedSquares / sums.Weights) : 0.0;
+  moved.Signal = moved.Residual > 0.0
+    ? moved.Contrast * this->Model.Contrast * std::sqrt(sums.Square) / moved.Residual
+    : std::numeric_limits<double>::infinity();
   // The model of small balls is not good enough to tell of the blur
   const bool tells = ball.At.Radius > SmallestThatTells * this->Model.Blur;
   moved.BlurSquare = tells ? sums.BlurSquare : 0.0;

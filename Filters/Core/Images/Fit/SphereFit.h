@@ -19,6 +19,8 @@ struct FittedBall
   /** What the ball has more than the matrix, over the contrast of the model; near 1 for a particle.
    */
   double Contrast = 1.0;
+  /** The contrast over its standard error. */
+  double Signal = 0.0;
   /** The deviation of the image from the model around the surface. */
   double Residual = 0.0;
   /** Standard errors: of the centre, in the mean of its coordinates, and of the radius. */
@@ -36,8 +38,9 @@ struct FittedBall
   template <class Self>
   static auto Fields(Self& self)
   {
-    return std::tie(self.At, self.Start, self.Contrast, self.Residual, self.CenterError,
-      self.RadiusError, self.Step, self.Last, self.Factor, self.BlurSquare, self.BlurGradient);
+    return std::tie(self.At, self.Start, self.Contrast, self.Signal, self.Residual,
+      self.CenterError, self.RadiusError, self.Step, self.Last, self.Factor, self.BlurSquare,
+      self.BlurGradient);
   }
 };
 
