@@ -38,6 +38,6 @@ for settings in json.loads(sys.argv[1]):
                        for i in range(table.GetNumberOfRows()) if isinstance(table.GetColumn(j).GetValue(i), float)]
     Delete(search)
     results.append(' '.join(result) or None)
-    print('END', flush=True)
+    os.write(messages, b'END\n')  # ParaView 5.13 keeps what is printed until its end
 with open(sys.argv[2], 'w') as file:
     json.dump(results, file)
