@@ -119,6 +119,7 @@ SphereFit::SphereFit(
 std::vector<Ball> BallsOf(const std::vector<FittedBall>& fitted)
 {
   std::vector<Ball> balls;
+  balls.reserve(fitted.size());
   for (const FittedBall& ball : fitted)
   {
     balls.push_back(ball.At);

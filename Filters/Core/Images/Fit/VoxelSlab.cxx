@@ -68,6 +68,7 @@ VoxelSlab<float> SpreadGrey(const VoxelBlock& block, std::vector<float> values,
     return slab;
   }
   std::vector<GreyBlock> outgoing;
+  outgoing.reserve(ranks.Size());
   for (int rank = 0; rank < ranks.Size(); ++rank)
   {
     outgoing.push_back(PartOf(
