@@ -25,7 +25,7 @@ constexpr int MostSpheres = 10'000'000;
 // The slower the growth, the denser are the packs in which it jams
 double RateFor(double share)
 {
-  return share <= 0.95 ? 0.1 : share <= 0.985 ? 0.03 : share <= 1.0 ? 0.01 : 0.003;
+  return share <= 0.95 ? 0.1 : share <= 0.985 ? 0.02 : share <= 1.0 ? 0.01 : 0.003;
 }
 
 void Scale(SpherePack& pack, double radii)
