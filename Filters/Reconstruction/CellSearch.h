@@ -22,6 +22,9 @@ enum Methods
   HYBRID = 2
 };
 
+/** The most cells that one filter looks for. */
+constexpr int MostCells = 10000;
+
 /** The settings of all cells' searches. */
 struct Settings
 {
@@ -47,7 +50,7 @@ struct Settings
   static void VisitSearch(Self& self, Visit&& visit)
   {
     visit("Method", self.Method, ruc::Range::From(GRADIENT, HYBRID));
-    visit("NumberOfCells", self.NumberOfCells, ruc::Range::AtLeast(1));
+    visit("NumberOfCells", self.NumberOfCells, ruc::Range::From(1, MostCells));
     visit("CheckpointInterval", self.CheckpointInterval, ruc::Range::AtLeast(0));
     visit("ContinueAfterStops", self.ContinueAfterStops, ruc::Range::AtLeast(-1));
   }

@@ -96,7 +96,7 @@ public:
 
   /** How the centres are found. Default: GRADIENT. */
   RUCSetting(Method, int, Search.Method);
-  /** The number of independent cells, >= 1. Default: 1. */
+  /** The number of independent cells, 1 to 10000. Default: 1. */
   RUCSetting(NumberOfCells, int, Search.NumberOfCells);
   /**
    * The diameters of the spheres in the cell, one for each mode, > 0. Required with a table; with a
