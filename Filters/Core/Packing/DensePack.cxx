@@ -127,10 +127,10 @@ private:
     for (int q = 0; q < 3; ++q)
     {
       const double needed = 2.0 * largest *
-        (this->Settings.Periodic[q] ? HardSpheres::LeastEdgeInDiameters : 1.0 + 1e-6);
+        (this->Settings.Periodic[q] ? SphereRooms::LeastEdgeInDiameters : 1.0 + 1e-6);
       Require(this->Result.Box.Size[q] > needed, "NumberOfSpheres",
         Text("enough spheres for a box with edges above ", needed, ", ",
-          this->Settings.Periodic[q] ? HardSpheres::LeastEdgeInDiameters : 1.0,
+          this->Settings.Periodic[q] ? SphereRooms::LeastEdgeInDiameters : 1.0,
           " diameters of the largest sphere"),
         Text(spheres, " spheres and an edge of ", this->Result.Box.Size[q]));
     }

@@ -3,7 +3,6 @@
 #include "ruc/Packing/HardSpheres.h"
 
 #include "ruc/Base/Random.h"
-#include "ruc/Base/Require.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,47 +15,12 @@ namespace
 {
 constexpr double Never = std::numeric_limits<double>::infinity();
 constexpr int LeavesPlace = -1, HitsWall = -2;
-// In radii: more makes lists longer, less makes them anew more often
-constexpr double RoomOfSphere = 0.25, RoomOfSmallest = 0.5;
-// Each sphere: how often radii are exchanged
-constexpr int CollisionsOfExchange = 1;
-constexpr int CollisionsOfRound = 25; // for each sphere, which are 50 for a sphere: two take part
+// Collisions for each sphere in the pack, of which a sphere takes part in twice as many: between two
+// rounds of exchanges, and between two looks at pressure and temperature
+constexpr int CollisionsOfExchange = 1, CollisionsOfRound = 25;
 
-double ShortestPeriod(const Window& box)
-{
-  double shortest = Never;
-  for (int q = 0; q < 3; ++q)
-  {
-    shortest = box.Periodic[q] ? std::min(shortest, box.Size[q]) : shortest;
-  }
-  return shortest;
-}
-}
-
-// How far spheres may go until they are listed again: less than the distance at which two images of
-// one sphere are near, and no more for large spheres than for small ones, which are as quick
-HardSpheres::Rooms::Rooms(const SpherePack& pack, const Window& box, double largestGrowth)
-  : Quarter(0.2499 * ShortestPeriod(box))
-{
-  const auto [least, greatest] = std::minmax_element(pack.Radius.begin(), pack.Radius.end());
-  this->Least = *least * largestGrowth;
-  this->Greatest = *greatest * largestGrowth;
-  const double shortest = ShortestPeriod(box), needed = 2.0 * LeastEdgeInDiameters * this->Greatest;
-  Require(needed < shortest, "A periodic box",
-    Text("edges above ", LeastEdgeInDiameters, " diameters of the largest sphere, ", needed),
-    shortest);
-}
-
-double HardSpheres::Rooms::Of(double radius) const
-{
-  const double room = std::min(RoomOfSphere * radius, RoomOfSmallest * this->Least);
-  return std::min(room, this->Quarter - radius);
-}
-
-namespace
-{
-// When something that is `distance2` (>= 0) too far away, squared, is reached: the first root t of
-// a t^2 + 2 b t + c = 0 with c >= 0; at once where it is reached and approached
+// The first t >= 0 at which a t^2 + 2 b t + c falls to 0, which is what the squares of two spheres'
+// distance and contact differ by. It is 0 where they touch and approach each other.
 double FirstRoot(double a, double b, double c)
 {
   if (c <= 0.0)
@@ -79,13 +43,13 @@ HardSpheres::HardSpheres(
   , Chosen(settings)
   , Unit(2.0 * std::accumulate(pack.Radius.begin(), pack.Radius.end(), 0.0) / pack.Size())
   , Degrees(3.0 * static_cast<double>(pack.Size()))
-  , RoomOf(pack, box, largestGrowth)
+  , Rooms(pack, box, largestGrowth)
   , Room(pack.Size())
   , Reach(pack.Size())
   , Listed(pack.Size())
   , Near(pack.Size())
-  , Grid(box, pack.Size(), this->RoomOf.Least,
-      this->RoomOf.Greatest + this->RoomOf.Of(this->RoomOf.Greatest))
+  , Grid(box, pack.Size(), this->Rooms.Least,
+      this->Rooms.Greatest + this->Rooms.Of(this->Rooms.Greatest))
   , Partner(pack.Size(), LeavesPlace)
   , Count(pack.Size(), 0)
   , Stamp(pack.Size(), 0)
@@ -190,7 +154,7 @@ void HardSpheres::Place(int i)
   const Sphere& sphere = this->Spheres[i];
   const double radius = sphere.Final;
   this->Listed[i] = sphere.Place;
-  this->Room[i] = this->RoomOf.Of(radius);
+  this->Room[i] = this->Rooms.Of(radius);
   this->Reach[i] = radius + this->Room[i];
   this->Grid.Put(i, sphere.Place, this->Reach[i]);
 }

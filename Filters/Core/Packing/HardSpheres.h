@@ -4,6 +4,7 @@
 
 #include "ruc/Packing/EventQueue.h"
 #include "ruc/Packing/PlaceGrid.h"
+#include "ruc/Packing/SphereRooms.h"
 #include "ruc/Particles/SpherePack.h"
 
 #include <cstdint>
@@ -44,12 +45,11 @@ public:
 
   /**
    * Begins with a pack in which nothing overlaps. Throws std::invalid_argument unless every
-   * periodic edge is longer than LeastEdgeInDiameters times the largest diameter of `pack` and of
-   * what it is to grow to.
+   * periodic edge is longer than SphereRooms::LeastEdgeInDiameters times the largest diameter of
+   * `pack` and of what it is to grow to.
    */
   HardSpheres(
     const SpherePack& pack, const Window& box, double largestGrowth, const Settings& settings);
-  static constexpr double LeastEdgeInDiameters = 2.05;
 
   /**
    * Lets all radii grow in proportion to `growth` times what they are, at the rate `rate`: that
@@ -84,14 +84,6 @@ private:
     double Time;             // since the growth began
     double Radius, Growth;   // at time 0, and in the unit of time
     double Final;            // the largest radius that it may grow to
-  };
-
-  struct Rooms
-  {
-    Rooms(const SpherePack& pack, const Window& box, double largestGrowth);
-    double Of(double radius) const;
-    double Least, Greatest; // radii
-    double Quarter;         // of the shortest period
   };
 
   double RadiusAt(const Sphere& sphere, double time) const
@@ -136,7 +128,7 @@ private:
   double Unit;    // of length
   double Degrees; // of freedom
   std::vector<Sphere> Spheres;
-  Rooms RoomOf;
+  SphereRooms Rooms;
   std::vector<double> Room;    // how far each sphere may go from where it was listed
   std::vector<double> Reach;   // of each ball of PlaceGrid
   std::vector<Vector3> Listed; // where each sphere was listed

@@ -68,7 +68,7 @@ bool IsDense(const CellContents& contents)
   }
   const double largest = 2.0 * *std::max_element(radii.begin(), radii.end());
   return radii.size() > 1 && fraction > DenseShare * maximum &&
-    contents.Edge > HardSpheres::LeastEdgeInDiameters * largest * (1.0 + 1e-6);
+    contents.Edge > SphereRooms::LeastEdgeInDiameters * largest * (1.0 + 1e-6);
 }
 
 // Whether the numbers of a state that was read can be those of a cell
