@@ -15,8 +15,8 @@ namespace
 {
 constexpr double Never = std::numeric_limits<double>::infinity();
 constexpr int LeavesPlace = -1, HitsWall = -2;
-// Collisions for each sphere in the pack, of which a sphere takes part in twice as many: between two
-// rounds of exchanges, and between two looks at pressure and temperature
+// Collisions for each sphere in the pack, of which a sphere takes part in twice as many: between
+// two rounds of exchanges, and between two looks at pressure and temperature
 constexpr int CollisionsOfExchange = 1, CollisionsOfRound = 25;
 
 // The first t >= 0 at which a t^2 + 2 b t + c falls to 0, which is what the squares of two spheres'
