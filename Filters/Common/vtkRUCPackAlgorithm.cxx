@@ -62,9 +62,18 @@ void vtkRUCPackAlgorithm::Execute(
 
 void vtkRUCPackAlgorithm::CheckMemory(RankCommunicator& ranks)
 {
+  double megabytes = 0.0;
   try
   {
-    this->RequireMemory(this->GetMemoryToCheck(), ranks);
+    megabytes = this->GetMemoryToCheck();
+  }
+  catch (const std::exception&)
+  {
+    // What is wrong may be seen on this rank alone; the run says it on all of them
+  }
+  try
+  {
+    this->RequireMemory(megabytes, ranks);
   }
   catch (const std::invalid_argument&)
   {

@@ -186,6 +186,19 @@ TEST(LabelImage, ACylinderIsMarked)
 TEST(LabelImageRefusals, NoPoints)
 {
   RefusesPack<LabelImage>({ "Label Image", "no points" }, [](auto& p) { p = {}; });
+  // Without a window the bounds are infinite on the rank that has the point, and on no other
+  RefusesData<LabelImage>({ "Label Image", "finite" },
+    [](vtkPolyData* data)
+    {
+      for (const char* name : { "BoxOrigin", "BoxSize", "BoxPeriodic" })
+      {
+        data->GetFieldData()->RemoveArray(name);
+      }
+      if (data->GetNumberOfPoints() > 0 && Rank() == 0)
+      {
+        data->GetPoints()->SetPoint(0, 1.0, 1.0, std::numeric_limits<double>::infinity());
+      }
+    });
 }
 
 TEST(LabelImageRefusals, Settings)
