@@ -31,7 +31,7 @@ enum Port
   PACK,
   GROWTH
 };
-constexpr int MostSpheres = 10'000'000, MostClasses = 256;
+constexpr int MostClasses = 256;
 // What is asked of the distribution of sizes for estimates
 constexpr int SpheresForEstimate = 2000;
 // Of the distance of two spheres that touch
@@ -131,8 +131,8 @@ void vtkRUCSpherePackSource::SetShare(int place, double share)
 
 void vtkRUCSpherePackSource::CheckProperties() const
 {
-  ruc::Require(this->NumberOfSpheres >= 2 && this->NumberOfSpheres <= MostSpheres,
-    "NumberOfSpheres", ruc::Text("2 to ", MostSpheres), this->NumberOfSpheres);
+  ruc::Require(this->NumberOfSpheres >= 2 && this->NumberOfSpheres <= ruc::MostPackedSpheres,
+    "NumberOfSpheres", ruc::Text("2 to ", ruc::MostPackedSpheres), this->NumberOfSpheres);
   ruc::Require(this->Seed >= 0, "Seed", "a number >= 0", this->Seed);
   ruc::Require(
     this->Sizes >= EQUAL && this->Sizes <= GAUSSIAN, "Sizes", "a value from 0 to 3", this->Sizes);
@@ -183,7 +183,7 @@ std::optional<ruc::Estimate> vtkRUCSpherePackSource::MakeEstimate()
   const ruc::DensePackSettings settings = this->MakeSettings(radii);
   ruc::Estimate estimate = ruc::EstimateDensePack(settings, this->NumberOfSpheres);
   const RankCommunicator ranks(this->GetController());
-  estimate.Seconds *= ranks.Size() * PackEstimate::Cores(1); // which rank 0 does alone
+  estimate.Seconds *= PackEstimate::Cores(ranks.Size()); // rank 0 does it alone
   return estimate;
 }
 

@@ -3,7 +3,6 @@
 #include "CellMessages.h"
 
 #include "ruc/Base/Text.h"
-#include "ruc/Particles/SphereOverlap.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -30,19 +29,13 @@ std::vector<std::string> CellMessages::FindWarnings(const std::vector<CellSearch
   std::vector<std::string> warnings;
   for (const CellSearch::FoundCell& found : cells)
   {
-    const double edge = found.Cell.Box.Size[0];
-    if (edge > contents.Edge)
+    ruc::CellContents larger = contents;
+    larger.Edge = found.Cell.Box.Size[0];
+    if (larger.Edge > contents.Edge)
     {
-      const double volume = edge * edge * edge,
-                   wanted = contents.Edge * contents.Edge * contents.Edge;
-      double filled = 0.0;
-      for (double r : contents.Radii())
-      {
-        filled += ruc::SphereVolume(r);
-      }
       warnings.push_back(
         Text("cell ", found.Number + 1, " is larger than wanted: its spheres jam at a fraction of ",
-          filled / volume, ", below the ", filled / wanted, " of the pack."));
+          larger.Fraction(), ", below the ", contents.Fraction(), " of the pack."));
     }
     const ruc::PackOverlap& overlap = found.Cell.Overlap;
     if (!overlap.IsNone())

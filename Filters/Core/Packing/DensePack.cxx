@@ -7,6 +7,7 @@
 #include "ruc/Packing/HardSpheres.h"
 #include "ruc/Packing/MaximumFraction.h"
 #include "ruc/Packing/OverlapRemoval.h"
+#include "ruc/Particles/SphereOverlap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +18,6 @@ namespace ruc
 namespace
 {
 constexpr double SlowestRate = 0.001, Shrinking = 0.98, Slowing = 1.0 / 3.0;
-// So much more than wanted that no distance rounds to less, in a box of 100 diameters and with 17
-// digits in a file
-constexpr double Spare = 1e-10;
-constexpr int MostSpheres = 10'000'000;
 
 // The slower the growth, the denser are the packs in which it jams
 double RateFor(double share)
@@ -96,7 +93,7 @@ private:
     double volume = 0.0;
     for (double r : this->Settings.Radii)
     {
-      volume += 4.0 / 3.0 * Pi * r * r * r;
+      volume += SphereVolume(r);
     }
     const Vector3& p = this->Settings.Proportions;
     for (double proportion : p)
@@ -115,8 +112,8 @@ private:
   {
     const std::vector<double>& radii = this->Settings.Radii;
     const auto spheres = static_cast<std::int64_t>(radii.size());
-    Require(spheres >= 2 && spheres <= MostSpheres, "NumberOfSpheres", Text("2 to ", MostSpheres),
-      spheres);
+    Require(spheres >= 2 && spheres <= MostPackedSpheres, "NumberOfSpheres",
+      Text("2 to ", MostPackedSpheres), spheres);
     const double maximum = this->Result.MaximumFraction;
     if (this->Settings.Fraction > maximum + 0.015)
     {
@@ -189,7 +186,7 @@ private:
     {
       SpherePack& pack = this->Result.Pack;
       const double wanted = this->Settings.Fraction, from = this->Reached;
-      const double growth = std::cbrt(wanted / from) * (1.0 + Spare);
+      const double growth = std::cbrt(wanted / from) * (1.0 + HardSpheres::Spare);
       HardSpheres spheres(
         pack, this->Result.Box, growth, { this->Settings.Seed, this->Settings.Exchange });
       const auto fraction = [&]() { return from * std::pow(spheres.GetGrowth(), 3); };
@@ -247,7 +244,8 @@ private:
     DensePack& result = this->Result;
     const double wanted = this->Settings.Fraction;
     const bool whole = !result.Jammed && !result.Stopped;
-    const double scale = whole ? 1.0 : std::cbrt(wanted / this->Reached) * (1.0 + Spare);
+    const double scale =
+      whole ? 1.0 : std::cbrt(wanted / this->Reached) * (1.0 + HardSpheres::Spare);
     // By falling radius
     const auto order = [](const std::vector<double>& radii)
     {
@@ -299,6 +297,7 @@ namespace
 {
 constexpr double SecondsOfSoft = 2e-5, SecondsOfCollision = 1e-6;
 constexpr double CollisionsTimesRate = 12.0; // of a sphere, in a growth
+constexpr double FlightsOfThinPack = 0.5;
 constexpr double BytesOfSphere = 600.0;
 }
 
@@ -310,7 +309,11 @@ Estimate EstimateDensePack(const DensePackSettings& settings, double spheres)
     (settings.Protocol == PackingProtocol::Automatic && share > SoftShare);
   const double rate = settings.Rate > 0.0 ? settings.Rate : RateFor(share);
   const double collisions = settings.Equilibration + (events ? CollisionsTimesRate / rate : 0.0);
-  Estimate estimate = { spheres * (SecondsOfSoft + 0.5 * collisions * SecondsOfCollision),
+  // The thinner the pack, the more often spheres are listed anew between two collisions
+  const double flights =
+    FlightsOfThinPack * std::pow(1.0 - settings.Fraction, 3) / settings.Fraction;
+  const double ofSphere = 0.5 * collisions * (1.0 + flights) * SecondsOfCollision;
+  Estimate estimate = { spheres * (SecondsOfSoft + ofSphere),
     spheres * BytesOfSphere / BytesOfMegabyte, 0.0 };
   if (events && settings.Rate == 0.0)
   {

@@ -25,6 +25,8 @@ constexpr int CountOf(PackingProtocol)
 /** Pushed apart, spheres jam from some 0.98 of the maximum fraction on, and take long from here. */
 constexpr double SoftShare = 0.93 * 0.633 / 0.6435;
 
+constexpr int MostPackedSpheres = 10'000'000;
+
 /** What MakeDensePack makes. */
 struct DensePackSettings
 {
@@ -81,8 +83,8 @@ DensePack MakeDensePack(
   const DensePackSettings& settings, const std::function<bool(const GrowthStep&, double)>& carryOn);
 
 /**
- * What MakeDensePack takes for `spheres` spheres, of whose sizes `settings.Radii` are a sample. The
- * automatic rate and the maximum fraction are told in words.
+ * What MakeDensePack takes for `spheres` spheres, of whose sizes `settings.Radii` are a sample. An
+ * automatic rate is told in words.
  */
 Estimate EstimateDensePack(const DensePackSettings& settings, double spheres);
 }

@@ -12,8 +12,7 @@ namespace ruc
 bool RemoveOverlapByEvents(
   SpherePack& pack, const Window& box, std::uint32_t seed, const std::function<bool()>& carryOn)
 {
-  // So much more than the radii that no distance rounds to less
-  constexpr double Spare = 1e-10, Room = 1e-9, Rate = 0.03, MostShrinking = 0.5;
+  constexpr double Room = 1e-9, Rate = 0.03, MostShrinking = 0.5;
   const PackOverlap overlap = MeasureOverlap(pack, box);
   if (overlap.IsNone())
   {
@@ -29,7 +28,7 @@ bool RemoveOverlapByEvents(
   {
     r *= shrinking;
   }
-  const double growth = (1.0 + Spare) / shrinking;
+  const double growth = (1.0 + HardSpheres::Spare) / shrinking;
   HardSpheres spheres(shrunk, box, growth, { seed, false });
   if (spheres.Grow(growth, Rate, carryOn) != HardSpheres::End::Done)
   {

@@ -18,6 +18,9 @@ constexpr int LeavesPlace = -1, HitsWall = -2;
 // Collisions for each sphere in the pack, of which a sphere takes part in twice as many: between
 // two rounds of exchanges, and between two looks at pressure and temperature
 constexpr int CollisionsOfExchange = 1, CollisionsOfRound = 25;
+// Events for each sphere after which the caller is asked also between two rounds: in thin packs
+// spheres fly far between collisions
+constexpr int EventsOfQuestion = 200;
 
 // The first t >= 0 at which a t^2 + 2 b t + c falls to 0, which is what the squares of two spheres'
 // distance and contact differ by. It is 0 where they touch and approach each other.
@@ -188,14 +191,14 @@ void HardSpheres::Unlist(int i)
 
 // Finds the next event of a sphere: that it leaves its place, or meets a wall or another sphere. It
 // is enough that one of two spheres knows of their collision.
-void HardSpheres::Predict(int i, double& time)
+double HardSpheres::Predict(int i)
 {
   const Sphere& own = this->Spheres[i];
   const Vector3 gone = { own.Place[0] - this->Listed[i][0], own.Place[1] - this->Listed[i][1],
     own.Place[2] - this->Listed[i][2] };
   const double speed2 = Dot(own.Velocity, own.Velocity), along = Dot(gone, own.Velocity);
   const double left = this->Room[i] * this->Room[i] - Dot(gone, gone);
-  time = own.Time +
+  double time = own.Time +
     (speed2 > 0.0
         ? std::max(0.0, (-along + std::sqrt(std::max(along * along + speed2 * left, 0.0))) / speed2)
         : Never);
@@ -222,6 +225,7 @@ void HardSpheres::Predict(int i, double& time)
   }
   this->PredictWalls(i, time);
   this->Stamp[i] = this->Partner[i] >= 0 ? this->Count[this->Partner[i]] : 0;
+  return time;
 }
 
 void HardSpheres::PredictWalls(int i, double& time)
@@ -229,13 +233,9 @@ void HardSpheres::PredictWalls(int i, double& time)
   const Sphere& own = this->Spheres[i];
   for (int q = 0; q < 3; ++q)
   {
-    if (this->Box.Periodic[q])
-    {
-      continue;
-    }
     const double radius = this->RadiusAt(own, own.Time);
     const double low = own.Place[q] - this->Box.Origin[q];
-    for (int side = 0; side < 2; ++side)
+    for (int side = 0; side < 2 && !this->Box.Periodic[q]; ++side)
     {
       const double gap = (side == 0 ? low : this->Box.Size[q] - low) - radius;
       const double approach = own.Growth + (side == 0 ? -own.Velocity[q] : own.Velocity[q]);
@@ -251,9 +251,7 @@ void HardSpheres::PredictWalls(int i, double& time)
 
 void HardSpheres::PredictAgain(int i)
 {
-  double time;
-  this->Predict(i, time);
-  this->Queue.SetTime(i, time);
+  this->Queue.SetTime(i, this->Predict(i));
 }
 
 void HardSpheres::PredictAll()
@@ -261,7 +259,7 @@ void HardSpheres::PredictAll()
   std::vector<double> times(this->Spheres.size());
   for (int i = 0; i < static_cast<int>(this->Spheres.size()); ++i)
   {
-    this->Predict(i, times[i]);
+    times[i] = this->Predict(i);
   }
   this->Queue.Assign(times);
 }
@@ -273,10 +271,9 @@ void HardSpheres::Collide(int i, int j)
   Sphere &a = this->Spheres[i], &b = this->Spheres[j];
   const Vector3 d = this->Between(a.Place, b.Place);
   const double distance = Length(d);
-  const double u =
-    ((b.Velocity[0] - a.Velocity[0]) * d[0] + (b.Velocity[1] - a.Velocity[1]) * d[1] +
-      (b.Velocity[2] - a.Velocity[2]) * d[2]) /
-    distance;
+  const Vector3 v = { b.Velocity[0] - a.Velocity[0], b.Velocity[1] - a.Velocity[1],
+    b.Velocity[2] - a.Velocity[2] };
+  const double u = Dot(v, d) / distance;
   const double change = a.Growth + b.Growth - u;
   for (int q = 0; q < 3; ++q)
   {
@@ -374,6 +371,7 @@ HardSpheres::End HardSpheres::Run(
   std::int64_t round = this->Collisions + CollisionsOfRound * spheres;
   std::int64_t exchange = this->Collisions;
   double before = this->Time;
+  std::int64_t events = 0;
   this->PredictAll();
   while (true)
   {
@@ -411,8 +409,18 @@ HardSpheres::End HardSpheres::Run(
       this->ExchangeRadii();
       this->PredictAll();
     }
+    if (++events >= EventsOfQuestion * spheres)
+    {
+      events = 0;
+      if (!carryOn())
+      {
+        this->MoveAllTo(time);
+        return End::Stopped;
+      }
+    }
     if (this->Collisions >= round || this->Collisions >= last)
     {
+      events = 0;
       round = this->Collisions + CollisionsOfRound * spheres;
       this->MoveAllTo(time);
       this->FindPressure(time - before);

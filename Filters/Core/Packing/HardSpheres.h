@@ -36,6 +36,12 @@ public:
     bool Exchange = false;
   };
 
+  /**
+   * So much more than their radii spheres should grow that no distance rounds to less than their
+   * contact, in a box of 100 diameters and with 17 digits in a file.
+   */
+  static constexpr double Spare = 1e-10;
+
   enum class End
   {
     Done,
@@ -110,7 +116,7 @@ private:
   void Place(int i);
   void List(int i);
   void Unlist(int i);
-  void Predict(int i, double& time);
+  double Predict(int i);
   void PredictWalls(int i, double& time);
   void PredictAgain(int i);
   void PredictAll();

@@ -101,6 +101,16 @@ int CellContents::NumberOfSpheres() const
   return std::accumulate(this->Count.begin(), this->Count.end(), 0);
 }
 
+double CellContents::Fraction() const
+{
+  double volume = 0.0;
+  for (double r : this->Radii())
+  {
+    volume += SphereVolume(r);
+  }
+  return volume / (this->Edge * this->Edge * this->Edge);
+}
+
 std::vector<double> CellContents::Radii() const
 {
   std::vector<double> radii;

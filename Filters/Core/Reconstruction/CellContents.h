@@ -42,6 +42,9 @@ struct CellContents
 
   int NumberOfSpheres() const;
 
+  /** The part of the cell that its spheres fill. */
+  double Fraction() const;
+
   /** The radius of every sphere, in the order of the modes. */
   std::vector<double> Radii() const;
 

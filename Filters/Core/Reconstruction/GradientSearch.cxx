@@ -8,7 +8,6 @@
 #include "ruc/Packing/HardSpheres.h"
 #include "ruc/Packing/MaximumFraction.h"
 #include "ruc/Packing/OverlapRemoval.h"
-#include "ruc/Particles/SphereOverlap.h"
 #include "ruc/Reconstruction/CellObjective.h"
 #include "ruc/Reconstruction/CellStart.h"
 
@@ -46,21 +45,11 @@ constexpr double LeastOverlap = 3e-7;       // of a contact, that events take ou
 constexpr double FirstStepIfDense = 0.1;
 constexpr double LongestEdge = 1.2; // of that of the contents, where spheres jam
 
-double FractionOf(const CellContents& contents)
-{
-  double volume = 0.0;
-  for (double r : contents.Radii())
-  {
-    volume += SphereVolume(r);
-  }
-  return volume / (contents.Edge * contents.Edge * contents.Edge);
-}
-
 // Throws where no random pack is as dense as the cell
 bool IsDense(const CellContents& contents)
 {
   const std::vector<double> radii = contents.Radii();
-  const double fraction = FractionOf(contents), maximum = MaximumRandomFraction(radii);
+  const double fraction = contents.Fraction(), maximum = MaximumRandomFraction(radii);
   if (fraction > maximum + 0.015)
   {
     throw std::invalid_argument(Text("A cell of these spheres would have a fraction of ", fraction,
@@ -232,7 +221,7 @@ private:
   {
     DensePackSettings settings;
     settings.Radii = this->Contents.Radii();
-    settings.Fraction = FractionOf(this->Contents);
+    settings.Fraction = this->Contents.Fraction();
     settings.Seed = this->Settings.Seed;
     settings.Protocol = PackingProtocol::Events;
     const DensePack made = MakeDensePack(settings,

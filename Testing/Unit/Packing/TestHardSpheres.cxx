@@ -134,6 +134,15 @@ TEST(HardSpheres, GrowWithoutOverlap)
   }
 }
 
+// In a thin pack a thousand flights go by between two collisions
+TEST(HardSpheres, AreStoppedBeforeTheyCollide)
+{
+  const ruc::DensePack pack = SoftPack(std::vector<double>(20, 0.5), 1e-5);
+  ruc::HardSpheres spheres(pack.Pack, pack.Box, 1.0, { 1, false });
+  EXPECT_EQ(spheres.Equilibrate(1e9, []() { return false; }), ruc::HardSpheres::End::Stopped);
+  EXPECT_LT(spheres.CollisionsOfSphere(), 50.0);
+}
+
 TEST(HardSpheres, StayBetweenWalls)
 {
   const ruc::DensePack pack = SoftPack(TwoSizes(200, 0.5, 20, 1.0), 0.40, { false, true, false });
