@@ -8,7 +8,9 @@
 #include "PackWindow.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
+#include "RegularFile.h"
 #include "ruc/Base/Require.h"
+#include "ruc/Formats/SizeTable.h"
 #include "ruc/Packing/DensePack.h"
 #include "ruc/Packing/PackOrder.h"
 #include "ruc/Packing/SphereSizes.h"
@@ -83,11 +85,20 @@ void RequireWhole(const ruc::DensePack& made, double fraction)
 }
 }
 
+struct vtkRUCSpherePackSource::SizeFile
+{
+  std::string Name;
+  RegularFile::Stamp Stamp;
+  ruc::SizeTable Sizes;
+};
+
 vtkRUCSpherePackSource::vtkRUCSpherePackSource()
 {
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(2);
 }
+
+vtkRUCSpherePackSource::~vtkRUCSpherePackSource() = default;
 
 int vtkRUCSpherePackSource::FillOutputPortInformation(int port, vtkInformation* info)
 {
@@ -134,19 +145,46 @@ void vtkRUCSpherePackSource::CheckProperties() const
   ruc::Require(this->NumberOfSpheres >= 2 && this->NumberOfSpheres <= ruc::MostPackedSpheres,
     "NumberOfSpheres", ruc::Text("2 to ", ruc::MostPackedSpheres), this->NumberOfSpheres);
   ruc::Require(this->Seed >= 0, "Seed", "a number >= 0", this->Seed);
-  ruc::Require(
-    this->Sizes >= EQUAL && this->Sizes <= GAUSSIAN, "Sizes", "a value from 0 to 3", this->Sizes);
+  ruc::Require(this->Sizes >= EQUAL && this->Sizes <= FILE_OF_SIZES, "Sizes", "a value from 0 to 4",
+    this->Sizes);
   ruc::Require(this->Protocol >= AUTOMATIC && this->Protocol <= EVENTS, "Protocol",
     "a value from 0 to 2", this->Protocol);
   ruc::Require(this->Exchange >= SWITCH_AUTOMATIC && this->Exchange <= SWITCH_ON, "Exchange",
     "a value from 0 to 2", this->Exchange);
 }
 
-ruc::SphereSizes vtkRUCSpherePackSource::MakeSizes() const
+const ruc::SizeTable& vtkRUCSpherePackSource::ReadSizes()
+{
+  ruc::Require(!this->FileName.empty(), "FileName", "a file of sizes", "none");
+  const RegularFile::Stamp stamp = RegularFile::FindStamp(this->FileName);
+  if (!this->LastSizes || this->LastSizes->Name != this->FileName ||
+    this->LastSizes->Stamp != stamp)
+  {
+    try
+    {
+      const std::string text = RegularFile::Read(this->FileName);
+      ruc::MemoryBytes bytes(text);
+      this->LastSizes.reset(new SizeFile{ this->FileName, stamp, ruc::ReadSizeTable(bytes) });
+    }
+    catch (const std::invalid_argument& fault)
+    {
+      throw std::invalid_argument(ruc::Text("FileName '", this->FileName, "': ", fault.what()));
+    }
+  }
+  return this->LastSizes->Sizes;
+}
+
+ruc::SphereSizes vtkRUCSpherePackSource::MakeSizes()
 {
   ruc::SphereSizes sizes;
   sizes.Law = static_cast<ruc::SizeLaw>(this->Sizes);
   sizes.Diameters = this->Diameters;
+  if (this->Sizes == FILE_OF_SIZES)
+  {
+    const ruc::SizeTable& read = this->ReadSizes();
+    sizes.Diameters = read.Diameters;
+    sizes.Passing = read.Passing;
+  }
   sizes.Shares = this->Shares;
   sizes.SharesAre = this->SharesByVolume ? ruc::ShareKind::Volume : ruc::ShareKind::Number;
   sizes.MeanDiameter = this->MeanDiameter;
@@ -168,7 +206,7 @@ ruc::DensePackSettings vtkRUCSpherePackSource::MakeSettings(const std::vector<do
   settings.Seed = static_cast<std::uint32_t>(this->Seed);
   settings.Protocol = static_cast<ruc::PackingProtocol>(this->Protocol);
   settings.Rate = this->Rate;
-  const bool continuous = this->Sizes == LOG_NORMAL || this->Sizes == GAUSSIAN;
+  const bool continuous = this->Sizes >= LOG_NORMAL;
   settings.Exchange =
     this->Exchange == SWITCH_ON || (this->Exchange == SWITCH_AUTOMATIC && continuous);
   settings.Equilibration = this->EquilibrationTime;
@@ -281,6 +319,7 @@ void vtkRUCSpherePackSource::PrintSelf(ostream& os, vtkIndent indent)
   print("MeanDiameter", this->MeanDiameter);
   print("StandardDeviation", this->StandardDeviation);
   print("Cut", this->Cut);
+  print("FileName", this->FileName);
   printAll("BoxProportions", this->BoxProportions);
   printAll("Walls", this->Walls);
   print("Protocol", this->Protocol);

@@ -23,6 +23,7 @@
 #include "RUCPacksModule.h"
 #include "vtkRUCEstimatedAlgorithm.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ namespace ruc
 struct DensePack;
 struct DensePackSettings;
 struct PackOrder;
+struct SizeTable;
 struct SphereSizes;
 }
 
@@ -48,7 +50,8 @@ public:
     EQUAL = 0,
     CLASSES = 1,
     LOG_NORMAL = 2,
-    GAUSSIAN = 3
+    GAUSSIAN = 3,
+    FILE_OF_SIZES = 4
   };
   enum Protocols
   {
@@ -118,6 +121,15 @@ public:
   vtkGetMacro(Cut, double);
   ///@}
   ///@{
+  /**
+   * The file of the sizes for FILE_OF_SIZES, where rank 0 runs: one diameter a line, or a sieve
+   * curve, the opening of a sieve and the per cent of the volume that passes it a line
+   * (Core/Formats/SizeTable.h). Default: empty.
+   */
+  vtkSetMacro(FileName, std::string);
+  vtkGetMacro(FileName, std::string);
+  ///@}
+  ///@{
   /** The edges of the box in proportion to each other, each above 0. Default: 1, 1, 1. */
   vtkSetVector3Macro(BoxProportions, double);
   vtkGetVector3Macro(BoxProportions, double);
@@ -146,7 +158,7 @@ public:
   ///@{
   /**
    * Whether spheres exchange their radii while they grow (ruc::HardSpheres). Default:
-   * SWITCH_AUTOMATIC, for LOG_NORMAL and GAUSSIAN sizes.
+   * SWITCH_AUTOMATIC, for LOG_NORMAL, GAUSSIAN and FILE_OF_SIZES.
    */
   vtkSetMacro(Exchange, int);
   vtkGetMacro(Exchange, int);
@@ -164,7 +176,7 @@ public:
 
 protected:
   vtkRUCSpherePackSource();
-  ~vtkRUCSpherePackSource() override = default;
+  ~vtkRUCSpherePackSource() override;
   const char* GetLabel() const override { return "Sphere Pack Source"; }
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   void Execute(
@@ -176,7 +188,8 @@ private:
   void operator=(const vtkRUCSpherePackSource&) = delete;
 
   void CheckProperties() const;
-  ruc::SphereSizes MakeSizes() const;
+  ruc::SphereSizes MakeSizes();
+  const ruc::SizeTable& ReadSizes();
   // With the radii of so many spheres
   ruc::DensePackSettings MakeSettings(const std::vector<double>& radii) const;
   // Fills the outputs of rank 0
@@ -193,6 +206,7 @@ private:
   double MeanDiameter = 1.0;
   double StandardDeviation = 0.2;
   double Cut = 2.5;
+  std::string FileName;
   double BoxProportions[3] = { 1.0, 1.0, 1.0 };
   int Walls[3] = { 0, 0, 0 };
   int Protocol = AUTOMATIC;
@@ -200,6 +214,9 @@ private:
   int Exchange = SWITCH_AUTOMATIC;
   double EquilibrationTime = 0.0;
   std::string LengthUnit;
+  // What was read last, for estimates ask often
+  struct SizeFile;
+  std::unique_ptr<SizeFile> LastSizes;
 };
 
 #endif

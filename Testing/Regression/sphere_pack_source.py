@@ -50,4 +50,16 @@ def two_sizes():
     assert [int(x) for x in field(data, 'BoxPeriodic')] == [1, 1, 0]
 
 
-run((pack, written, two_sizes), sys.argv[2])
+def sizes_of_a_file():
+    """A sieve curve in a file: the volume that passes the sieve in the middle is that of the curve, to the volume of a sphere."""
+    name = os.path.join(FOLDER, 'sieves_%d.csv' % RANKS)
+    with open(name, 'w') as sieves:
+        sieves.write('sieve [mm], passing [%]\n0.5, 0\n1.0, 35\n1.4, 80\n2.0, 100\n')
+    data = fetch(SpherePackSource(NumberOfSpheres=500, Fraction=0.5, Sizes='File', FileName=name))
+    radius = data.GetPointData().GetArray('Radius')
+    volumes = sorted((radius.GetValue(i), radius.GetValue(i)**3) for i in range(500))
+    passed = sum(volume for r, volume in volumes if 2 * r < 1.4) / sum(volume for r, volume in volumes)
+    assert abs(passed - 0.80) < 0.01, passed
+
+
+run((pack, written, two_sizes, sizes_of_a_file), sys.argv[2])

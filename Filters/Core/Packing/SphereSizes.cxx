@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace ruc
@@ -91,6 +92,77 @@ SphereSizes::Spheres MakeClasses(const SphereSizes& sizes, int number)
   }
   return spheres;
 }
+
+// The n-th of `number` quantiles of the diameters, which are steps, is that of the middle of its
+// part; so the diameters themselves come out where there are as many
+std::vector<double> QuantilesOf(std::vector<double> diameters, int number)
+{
+  std::sort(diameters.begin(), diameters.end());
+  const auto measured = static_cast<std::int64_t>(diameters.size());
+  std::vector<double> radii;
+  for (int n = number; n-- > 0;)
+  {
+    radii.push_back(0.5 * diameters[(2 * std::int64_t(n) + 1) * measured / (2 * number)]);
+  }
+  return radii;
+}
+
+// The density of the number of spheres goes as D^-3 between two sieves, so that of their volume is
+// even there. All follows in closed form from D^-2, which is evenly spread over the spheres.
+std::vector<double> BetweenSieves(double narrow, double wide, int number)
+{
+  const double steps = (wide / narrow) * (wide / narrow) - 1.0;
+  // The diameter, of that of the wide sieve, that n spheres exceed
+  const auto edge = [&](int n) { return 1.0 / std::sqrt(1.0 + steps * n / number); };
+  std::vector<double> radii;
+  for (int n = 0; n < number; ++n)
+  {
+    const double a = edge(n), b = edge(n + 1);
+    radii.push_back(0.5 * wide * std::cbrt(2.0 * a * a * b * b / (a + b)));
+  }
+  return radii;
+}
+
+std::vector<double> MakeSieved(const SphereSizes& sizes, int number)
+{
+  const std::vector<double>&openings = sizes.Diameters, &passing = sizes.Passing;
+  Require(openings.size() >= 2 && passing.size() == openings.size(), "Passing",
+    "two sieves or more, and one number for each", passing.size());
+  const double widest = openings.back();
+  std::vector<double> weights; // numbers of spheres
+  for (std::size_t s = 0; s + 1 < openings.size(); ++s)
+  {
+    const double a = openings[s] / widest, b = openings[s + 1] / widest;
+    const double share = passing[s + 1] - passing[s];
+    Require(a > 0.0 && b > a, "Diameters", "openings that rise", openings[s + 1]);
+    Require(share >= 0.0 && share <= 100.0, "Passing", "numbers that do not fall", passing[s + 1]);
+    weights.push_back(share * (a + b) / (2.0 * a * a * b * b));
+  }
+  Require(passing.front() == 0.0 && passing.back() == 100.0, "Passing", "numbers from 0 to 100",
+    passing.back());
+  const std::vector<int> numbers = Divide(number, weights);
+  std::vector<double> radii;
+  for (std::size_t s = numbers.size(); s-- > 0;)
+  {
+    Require(numbers[s] > 0 || weights[s] == 0.0, "NumberOfSpheres",
+      Text("enough spheres for one at least between any two sieves, such as those of ", openings[s],
+        " and ", openings[s + 1]),
+      number);
+    const std::vector<double> between = BetweenSieves(openings[s], openings[s + 1], numbers[s]);
+    radii.insert(radii.end(), between.begin(), between.end());
+  }
+  return radii;
+}
+
+std::vector<double> MakeMeasured(const SphereSizes& sizes, int number)
+{
+  Require(!sizes.Diameters.empty(), "Diameters", "one diameter at least", 0);
+  for (double diameter : sizes.Diameters)
+  {
+    Require(IsLength(diameter), "Diameters", "lengths above 0", diameter);
+  }
+  return sizes.Passing.empty() ? QuantilesOf(sizes.Diameters, number) : MakeSieved(sizes, number);
+}
 }
 
 SphereSizes::Spheres SphereSizes::Make(int number) const
@@ -98,6 +170,10 @@ SphereSizes::Spheres SphereSizes::Make(int number) const
   if (this->Law == SizeLaw::Classes)
   {
     return MakeClasses(*this, number);
+  }
+  if (this->Law == SizeLaw::Measured)
+  {
+    return { MakeMeasured(*this, number), std::vector<int>(number, 1) };
   }
   const double mean = this->MeanDiameter, deviation = this->StandardDeviation;
   Require(IsLength(mean), "MeanDiameter", "a length above 0", mean);

@@ -11,11 +11,12 @@ enum class SizeLaw
   Equal,
   Classes,
   LogNormal,
-  Gaussian
+  Gaussian,
+  Measured // the diameters of other spheres, or their sieve curve
 };
 constexpr int CountOf(SizeLaw)
 {
-  return 4;
+  return 5;
 }
 
 /** What shares of the classes count. */
@@ -36,6 +37,13 @@ struct SphereSizes
   /** For SizeLaw::Classes the diameter of each class, and its share, in any unit. */
   std::vector<double> Diameters, Shares;
   ShareKind SharesAre = ShareKind::Volume;
+  /**
+   * For SizeLaw::Measured: empty where `Diameters` are those of measured spheres; else `Diameters`
+   * are the openings of sieves, which rise, and for each of them this is the per cent of the volume
+   * that passes it, which rises from 0 to 100. Between two sieves the volume is evenly spread over
+   * the diameters.
+   */
+  std::vector<double> Passing;
   /** Of the diameter; for Equal all have the mean. */
   double MeanDiameter = 1.0, StandardDeviation = 0.0;
   /**
@@ -53,9 +61,11 @@ struct SphereSizes
 
   /**
    * Returns so many spheres, the largest first: quantiles of the distribution, so that it is met
-   * with any number, and of each class the whole number that is nearest to its share. The mode is
-   * the place in `Diameters`, and 1 for other laws. Throws std::invalid_argument for what cannot
-   * be, and where a class gets no sphere.
+   * with any number, and of each class, or between two sieves, the whole number that is nearest to
+   * its share. Between two sieves each sphere has the mean volume of those for which it stands. The
+   * mode is the place in `Diameters` for classes, and 1 for other laws. Throws
+   * std::invalid_argument for what cannot be, and where a class, or what lies between two sieves,
+   * gets no sphere.
    */
   Spheres Make(int number) const;
 };

@@ -2,19 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The source makes one pack on any number of ranks, and says on each what is wrong
 #include "Equality.h"
+#include "Ranks.h"
 #include "Refusals.h"
+#include "ruc/Base/Text.h"
 
 #include "vtkRUCSpherePackSource.h"
 
 #include "vtkFieldData.h"
 #include "vtkTable.h"
 
+#include <cstdio>
+#include <fstream>
 #include <limits>
 
 using Source = vtkRUCSpherePackSource;
 
 namespace
 {
+void Barrier()
+{
+  vtkMultiProcessController::GetGlobalController()->Barrier();
+}
+
 using Configure = std::function<void(Source*)>;
 
 void ExpectSamePack(const Configure& configure)
@@ -78,6 +87,67 @@ TEST(SpherePackSource, SizesOfEveryLaw)
         source->SetShare(0, 50.0);
         source->SetShare(1, 50.0);
       });
+  }
+}
+
+TEST(SpherePackSource, SizesOfAFile)
+{
+  const std::string name = ruc::Text("sizes-", NumberOfRanks(), ".csv");
+  for (const char* text : { "diameter\n1\n1.5\n2\n1.2\n", "1;0\n1.5;40\n2;100\n" })
+  {
+    if (Rank() == 0)
+    {
+      std::ofstream(name) << text;
+    }
+    Barrier();
+    ExpectSamePack(
+      [&](Source* source)
+      {
+        source->SetNumberOfSpheres(120);
+        source->SetFraction(0.62);
+        source->SetSizes(Source::FILE_OF_SIZES);
+        source->SetFileName(name);
+      });
+    Barrier();
+  }
+  if (Rank() == 0)
+  {
+    std::remove(name.c_str());
+  }
+}
+
+TEST(SpherePackSource, FilesThatCannotBe)
+{
+  const auto refused = [](const std::string& name, const std::string& part)
+  {
+    ExpectRefused(part,
+      [&](Source* source)
+      {
+        source->SetSizes(Source::FILE_OF_SIZES);
+        source->SetFileName(name);
+      });
+  };
+  refused("", "FileName requires a file of sizes, got none");
+  refused("no-such-file.csv", "FileName 'no-such-file.csv': a file that can be opened");
+  refused(".", "a regular file is required");
+  const std::string name = ruc::Text("no-sizes-", NumberOfRanks(), ".csv");
+  const std::pair<const char*, const char*> texts[] = { { "", "got none" },
+    { "1\n-2\n", "Line 2: a length above 0" }, { "1\n1,5\n", "a decimal point" },
+    { "1 0\n2 60\n3 50\n", "Line 3: a passing" } };
+  for (const auto& [text, part] : texts)
+  {
+    Barrier();
+    if (Rank() == 0)
+    {
+      std::ofstream(name) << text;
+    }
+    Barrier();
+    refused(name, part);
+  }
+  Barrier();
+  if (Rank() == 0)
+  {
+    std::remove(name.c_str());
   }
 }
 

@@ -8,9 +8,9 @@
 // names.
 #include "ruc/Base/Text.h"
 #include "ruc/Formats/Grammars/Grammars.h"
-#include "ruc/Formats/LineSource.h"
 #include "ruc/Formats/SphereRows.h"
 #include "ruc/Formats/TableColumns.h"
+#include "ruc/Formats/TableRows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,82 +21,6 @@ namespace ruc
 {
 namespace
 {
-constexpr char Whitespace = ' '; // as a separator: any run of blanks and tabs
-
-// What stands behind the mark of a comment
-bool IsComment(std::string_view line, std::string_view& comment)
-{
-  for (std::string_view mark : { "#", "%", "//" })
-  {
-    if (line.substr(0, mark.size()) == mark)
-    {
-      comment = TrimBlanks(line.substr(
-        line.find_first_not_of("#%/") == line.npos ? line.size() : line.find_first_not_of("#%/")));
-      return true;
-    }
-  }
-  return false;
-}
-
-bool IsNumber(std::string_view field)
-{
-  double ignored;
-  return ParseNumber(field, ignored);
-}
-
-// At a separator outside quotes; a field loses the quotes around it
-void Split(std::string_view line, char separator, Fields& fields)
-{
-  if (separator == Whitespace && line.find('"') == line.npos)
-  {
-    SplitBlanks(line, fields);
-    return;
-  }
-  fields.clear();
-  const auto separates = [separator](char c)
-  { return separator == Whitespace ? c == ' ' || c == '\t' : c == separator; };
-  bool quoted = false;
-  for (std::size_t begin = 0, at = 0; at <= line.size(); ++at)
-  {
-    quoted = quoted != (at < line.size() && line[at] == '"');
-    if (at < line.size() && (quoted || !separates(line[at])))
-    {
-      continue;
-    }
-    std::string_view field = TrimBlanks(line.substr(begin, at - begin));
-    if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
-    {
-      field = TrimBlanks(field.substr(1, field.size() - 2));
-    }
-    if (separator != Whitespace || at > begin)
-    {
-      fields.push_back(field);
-    }
-    begin = at + 1;
-  }
-}
-
-char FindSeparator(std::string_view line)
-{
-  Fields fields;
-  for (char separator : { ';', '\t', ',' })
-  {
-    Split(line, separator, fields);
-    const bool mixed = separator == '\t' &&
-      std::any_of(fields.begin(), fields.end(),
-        [](std::string_view field)
-        {
-          const std::size_t blank = field.find(' ');
-          return blank != field.npos && IsNumber(field.substr(0, blank));
-        });
-    if (fields.size() > 1 && !mixed)
-    {
-      return separator;
-    }
-  }
-  return Whitespace;
-}
-
 [[noreturn]] void FailEmpty()
 {
   throw std::invalid_argument("At least one line with a sphere is required, got none.");
@@ -106,92 +30,33 @@ class TableReader
 {
 public:
   TableReader(ByteStream& bytes, const ReadSettings& settings)
-    : Lines(bytes)
+    : Rows(bytes, settings.SkipLines)
     , Settings(settings)
   {
   }
   PackFrame Read();
 
 private:
-  bool NextRow(Fields& fields);
   TableColumns FindColumns(Fields& fields);
   TableColumns FindHeader(Fields& fields);
   std::vector<std::string> NamesOfComment(std::size_t count) const;
   void CheckFirstColumn() const;
 
-  LineSource Lines;
+  TableRows Rows;
   const ReadSettings& Settings;
   PackFrame Frame;
-  char Separator = 0;
-  std::size_t Count = 0; // of columns, once it is known
-  std::vector<std::string> Comments;
 };
-
-// The next line that has fields; false at the end
-bool TableReader::NextRow(Fields& fields)
-{
-  std::string_view line, comment;
-  while (this->Lines.Next(line))
-  {
-    if (this->Lines.Line() <= static_cast<std::size_t>(std::max(this->Settings.SkipLines, 0)))
-    {
-      continue;
-    }
-    if (this->Lines.Line() == 1 && line.substr(0, 3) == "\xEF\xBB\xBF")
-    {
-      line.remove_prefix(3);
-    }
-    const std::size_t bad = FindBadByte(line);
-    if (bad != line.npos)
-    {
-      const bool wide = line.substr(0, 2) == "\xFF\xFE" || line.substr(0, 2) == "\xFE\xFF";
-      this->Lines.Fail(wide
-          ? Text("UTF-8 text is required, got UTF-16: save the table as UTF-8.")
-          : Text("UTF-8 text is required, got the byte ",
-              static_cast<unsigned int>(static_cast<unsigned char>(line[bad])), " at place ",
-              bad + 1, ", as in Latin-1: save the table as UTF-8."));
-    }
-    if (IsComment(TrimBlanks(line), comment))
-    {
-      if (this->Separator == 0 && this->Comments.size() < 1000)
-      {
-        this->Comments.emplace_back(comment);
-      }
-      continue;
-    }
-    if (this->Separator == 0 && Lower(line).rfind("sep=", 0) == 0 && line.size() == 5)
-    {
-      this->Separator = line[4];
-      continue;
-    }
-    if (this->Separator == 0 && !TrimBlanks(line).empty())
-    {
-      this->Separator = FindSeparator(line);
-    }
-    line = line.substr(0, line.find(" #")); // a comment behind the numbers
-    Split(this->Separator == '\t' ? line : TrimBlanks(line), this->Separator, fields);
-    if (fields.size() == this->Count + 1 && this->Count > 0 && fields.back().empty())
-    {
-      fields.pop_back(); // a separator at the end of the line
-    }
-    if (std::any_of(
-          fields.begin(), fields.end(), [](std::string_view field) { return !field.empty(); }))
-    {
-      return true;
-    }
-  }
-  return false;
-}
 
 // Names in the last comment that has as many as the rows have fields, and knows x, y and z
 std::vector<std::string> TableReader::NamesOfComment(std::size_t count) const
 {
-  for (auto comment = this->Comments.rbegin(); comment != this->Comments.rend(); ++comment)
+  const std::vector<std::string>& comments = this->Rows.GetComments();
+  for (auto comment = comments.rbegin(); comment != comments.rend(); ++comment)
   {
-    for (char separator : { this->Separator, Whitespace, ',', ';', '\t' })
+    for (char separator : { this->Rows.GetSeparator(), TableRows::Whitespace, ',', ';', '\t' })
     {
       Fields fields;
-      Split(*comment, separator, fields);
+      TableRows::Split(*comment, separator, fields);
       const std::vector<std::string> names(fields.begin(), fields.end());
       if (names.size() == count && NameCentres(names))
       {
@@ -210,8 +75,8 @@ TableColumns TableReader::FindHeader(Fields& fields)
   {
     names.pop_back();
   }
-  this->Count = names.size();
-  bool any = this->NextRow(fields);
+  this->Rows.SetCount(names.size());
+  bool any = this->Rows.Next(fields);
   std::vector<std::string> units;
   if (any && fields.size() == names.size() &&
     std::all_of(fields.begin(), fields.end(),
@@ -219,12 +84,12 @@ TableColumns TableReader::FindHeader(Fields& fields)
   {
     units.assign(fields.begin(), fields.end());
     std::replace(units.begin(), units.end(), std::string("-"), std::string());
-    any = this->NextRow(fields);
+    any = this->Rows.Next(fields);
   }
   if (any && fields.size() == names.size() + 1) // R, whose names of rows have no name
   {
     names.insert(names.begin(), "");
-    this->Count = names.size();
+    this->Rows.SetCount(names.size());
     units.clear();
   }
   if (!any)
@@ -255,7 +120,7 @@ TableColumns TableReader::FindColumns(Fields& fields)
   {
     fields.pop_back();
   }
-  this->Count = fields.size();
+  this->Rows.SetCount(fields.size());
   const std::vector<std::string> names = this->NamesOfComment(fields.size());
   return names.empty() ? FindNamelessColumns(fields.size(), this->Settings)
                        : FindNamedColumns(names, {}, this->Settings);
@@ -290,11 +155,11 @@ void TableReader::CheckFirstColumn() const
 PackFrame TableReader::Read()
 {
   Fields fields;
-  if (!this->NextRow(fields))
+  if (!this->Rows.Next(fields))
   {
     FailEmpty();
   }
-  const std::size_t line = this->Lines.Line();
+  const std::size_t line = this->Rows.GetLines().Line();
   TableColumns table;
   try
   {
@@ -311,8 +176,8 @@ PackFrame TableReader::Read()
   }
   this->Frame.LengthUnit = table.LengthUnit;
   this->Frame.Warnings = table.Warnings;
-  SphereRows rows(this->Lines, table.Columns, this->Frame);
-  for (bool more = !fields.empty(); more; more = this->NextRow(fields))
+  SphereRows rows(this->Rows.GetLines(), table.Columns, this->Frame);
+  for (bool more = !fields.empty(); more; more = this->Rows.Next(fields))
   {
     rows.Append(fields);
   }
