@@ -8,21 +8,23 @@
 #include "SearchProblem.h"
 #include "ThreadRanks.h"
 
+#include <algorithm>
 #include <limits>
-#include <random>
+#include <optional>
 
 namespace
 {
-// A pack of 600 equal spheres, and a cell of 120
+// A pack of 600 equal spheres, and a cell of 60
 struct DenseProblem
 {
   DenseProblem()
     : Made(Make())
-    , Contents(ruc::FindCellContents(ruc::SharePack(this->Made.Pack, this->Made.Box), 120))
+    , Contents(ruc::FindCellContents(ruc::SharePack(this->Made.Pack, this->Made.Box), Spheres))
     , Target(ruc::SumPairs(this->Made.Pack, this->Made.Box, { 0.06, 40 }))
   {
   }
 
+  static constexpr int Spheres = 60;
   static ruc::DensePack Make()
   {
     ruc::DensePackSettings settings;
@@ -56,11 +58,33 @@ ruc::UnitCell Search(ruc::Communicator& ranks, int iterations,
     TheDenseProblem().Contents, TheDenseProblem().Target, settings, ranks, carryOn, resume, save);
 }
 
-ruc::UnitCell Search(
-  int iterations, const std::function<bool(const ruc::SearchState&)>& carryOn = CarryOn)
+// A search to its very end, and its states on the way. How many iterations it takes depends on the
+// last bits of a machine's logarithms and cosines, so no test knows their number.
+struct WholeSearch
 {
-  ruc::Communicator serial;
-  return Search(serial, iterations, carryOn);
+  static constexpr int MostIterations = 20000, Every = 10;
+
+  WholeSearch()
+  {
+    ruc::Communicator serial;
+    this->Cell.emplace(Search(serial, MostIterations, CarryOn, nullptr,
+      [&](const ruc::GradientState& state)
+      {
+        if (state.Descent.Iterations % Every == 0)
+        {
+          this->States.push_back(state);
+        }
+      }));
+  }
+
+  std::vector<ruc::GradientState> States;
+  std::optional<ruc::UnitCell> Cell;
+};
+
+const WholeSearch& TheWholeSearch()
+{
+  static const WholeSearch search;
+  return search;
 }
 
 // Every pair, every nearest image
@@ -146,7 +170,8 @@ TEST(ContactMultipliers, GradientIsThatOfTheSum)
 
 TEST(DenseCells, AreHardAndNearerThanTheirStart)
 {
-  const ruc::UnitCell cell = Search(1000);
+  const ruc::UnitCell& cell = *TheWholeSearch().Cell;
+  EXPECT_EQ(cell.EndedBy, ruc::EndReason::Converged);
   ExpectHard(cell);
   EXPECT_LT(cell.Objective, 0.5 * cell.StartObjective);
   EXPECT_EQ(cell.Objective,
@@ -156,40 +181,46 @@ TEST(DenseCells, AreHardAndNearerThanTheirStart)
 
 TEST(DenseCells, AreHardWhereverTheyAreStopped)
 {
-  for (int stopAt : { 2, 20, 60, 150, 400 })
+  ruc::Communicator serial;
+  const int all = TheWholeSearch().Cell->Iterations;
+  for (int stopAt : { 2, 20, all / 4, all / 2, all - 5 })
   {
-    const ruc::UnitCell cell =
-      Search(1000, [&](const ruc::SearchState& state) { return state.Iteration < stopAt; });
+    const ruc::UnitCell cell = Search(serial, WholeSearch::MostIterations,
+      [&](const ruc::SearchState& state) { return state.Iteration < stopAt; });
     EXPECT_EQ(cell.EndedBy, ruc::EndReason::Stopped);
     ExpectHard(cell);
     EXPECT_LE(cell.Objective, cell.StartObjective);
   }
 }
 
+// From its soft stage, from the first rounds of multipliers, and from the last
 TEST(DenseCells, ResumeToTheSameEndOnAnyRanks)
 {
-  std::vector<ruc::GradientState> states;
+  const WholeSearch& whole = TheWholeSearch();
+  const auto hasMultipliers = [](const ruc::GradientState& state)
+  { return !state.Contacts.Multiplier.empty(); };
+  const auto first = std::find_if(whole.States.begin(), whole.States.end(), hasMultipliers);
+  ASSERT_NE(first, whole.States.end());
+  ASSERT_EQ(whole.States.front().Contacts.Round, 0);
   ruc::Communicator serial;
-  const ruc::UnitCell whole = Search(serial, 300, CarryOn, nullptr,
-    [&](const ruc::GradientState& state) { states.push_back(state); });
-  ASSERT_GT(states.size(), 250u);
-  ExpectEqual(whole, Search(300));
-  EXPECT_GT(states.back().Contacts.Round, 1);
-  for (std::size_t n : { std::size_t(3), std::size_t(120), states.size() - 45 })
+  for (const ruc::GradientState& saved : { whole.States.front(), *first, whole.States.back() })
   {
     ruc::GradientState state;
-    ruc::FromBytes(ruc::ToBytes(states[n]), state);
-    ExpectEqual(whole, Search(serial, 300, CarryOn, &state));
+    ruc::FromBytes(ruc::ToBytes(saved), state);
+    ExpectEqual(*whole.Cell, Search(serial, WholeSearch::MostIterations, CarryOn, &state));
   }
+  // A few iterations more, across the end of a round
+  const int iterations = first->Descent.Iterations + 45;
+  const ruc::UnitCell some = Search(serial, iterations, CarryOn, &*first);
   for (int ranks : { 2, 3 })
   {
     oracle::ThreadRanks::Run(ranks,
       [&](ruc::Communicator& all)
       {
-        const ruc::UnitCell cell = Search(all, 300, CarryOn, &states[120]);
+        const ruc::UnitCell cell = Search(all, iterations, CarryOn, &*first);
         if (all.Rank() == ranks - 1)
         {
-          ExpectEqual(whole, cell);
+          ExpectEqual(some, cell);
         }
       });
   }
@@ -197,18 +228,18 @@ TEST(DenseCells, ResumeToTheSameEndOnAnyRanks)
 
 TEST(DenseCells, AForgedStateIsRefused)
 {
-  ruc::GradientState good;
+  const ruc::GradientState& good = TheWholeSearch().States.back();
   ruc::Communicator serial;
-  Search(serial, 300, CarryOn, nullptr, [&](const ruc::GradientState& state) { good = state; });
   ASSERT_FALSE(good.Contacts.First.empty());
   const auto refuses = [&](const std::function<void(ruc::ContactState&)>& forge)
   {
     ruc::GradientState state = good;
     forge(state.Contacts);
-    EXPECT_THROW(Search(serial, 300, CarryOn, &state), std::invalid_argument);
+    EXPECT_THROW(
+      Search(serial, WholeSearch::MostIterations, CarryOn, &state), std::invalid_argument);
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  refuses([](ruc::ContactState& contacts) { contacts.Second.back() = 120; });
+  refuses([](ruc::ContactState& contacts) { contacts.Second.back() = DenseProblem::Spheres; });
   refuses([](ruc::ContactState& contacts) { contacts.First.front() = -1; });
   refuses([](ruc::ContactState& contacts) { contacts.Multiplier.pop_back(); });
   refuses([&](ruc::ContactState& contacts) { contacts.Multiplier.front() = nan; });
@@ -216,27 +247,31 @@ TEST(DenseCells, AForgedStateIsRefused)
   refuses([](ruc::ContactState& contacts) { contacts = {}; });
 }
 
-// The spheres are hard and as large as they were; what is given up is the fraction
+// The spheres are hard and as large as they were; what is given up is the fraction. 18 spheres jam
+// in a periodic cube at 0.645, from whatever places they begin.
 TEST(DenseCells, AreLargerWhereSpheresJam)
 {
-  ruc::CellContents contents = TheDenseProblem().Contents;
+  const DenseProblem& problem = TheDenseProblem();
+  ruc::CellContents contents =
+    ruc::FindCellContents(ruc::SharePack(problem.Made.Pack, problem.Made.Box), 18);
   const double volume = contents.NumberOfSpheres() * oracle::Pi / 6.0;
   contents.Edge = std::cbrt(volume / 0.658);
   ruc::Communicator serial;
   ruc::GradientSearchSettings settings;
-  settings.MaximumIterations = 50;
-  ruc::GradientState last;
-  const ruc::UnitCell cell = ruc::SearchByGradient(contents, TheDenseProblem().Target, settings,
-    serial, CarryOn, nullptr, [&](const ruc::GradientState& state) { last = state; });
+  settings.MaximumIterations = 60;
+  ruc::GradientState middle;
+  const ruc::UnitCell cell =
+    ruc::SearchByGradient(contents, problem.Target, settings, serial, CarryOn, nullptr,
+      [&](const ruc::GradientState& state)
+      { middle = middle.Descent.Iterations < 20 ? state : middle; });
   ExpectHard(cell);
   EXPECT_EQ(cell.Pack.Radius, contents.Radii());
   const double fraction = volume / std::pow(cell.Box.Size[0], 3);
-  EXPECT_LT(fraction, 0.6579);
-  EXPECT_GT(fraction, 0.60);
+  EXPECT_LT(fraction, 0.655);
+  EXPECT_GT(fraction, 0.635);
   EXPECT_EQ(cell.Box.Size[0], cell.Box.Size[2]);
-  settings.MaximumIterations = 60;
-  ExpectEqual(ruc::SearchByGradient(contents, TheDenseProblem().Target, settings, serial, CarryOn),
-    ruc::SearchByGradient(contents, TheDenseProblem().Target, settings, serial, CarryOn, &last));
+  ExpectEqual(
+    cell, ruc::SearchByGradient(contents, problem.Target, settings, serial, CarryOn, &middle));
 }
 
 TEST(DenseCells, TooDenseIsRefusedAtOnce)
