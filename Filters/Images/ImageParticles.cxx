@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace
@@ -82,16 +83,46 @@ void ImageParticles::NumberLabels(RankCommunicator& ranks)
   this->Number = std::move(numbers);
 }
 
+void ImageParticles::NumberIds()
+{
+  this->Ids.resize(this->Found.Balls.size());
+  std::iota(this->Ids.begin(), this->Ids.end(), std::int64_t(1));
+}
+
+void ImageParticles::TakeCut(ruc::CutParticles cut)
+{
+  const auto ballOf = [](const ruc::ParticleShape& shape)
+  {
+    ruc::FittedBall ball;
+    ball.At = { shape.Centre, shape.EqualVolumeRadius() };
+    return ball;
+  };
+  static_cast<ruc::TwoPhases&>(this->Found) = cut;
+  this->Found.Model.Matrix = cut.MatrixValue;
+  this->Found.Model.Contrast = cut.Contrast;
+  this->Found.Margin = cut.Margin;
+  this->Found.Stopped = cut.Stopped;
+  for (const ruc::ParticleShape& shape : cut.Shapes)
+  {
+    this->Found.Balls.push_back(ballOf(shape));
+  }
+  for (const ruc::CutParticles::Dropped& other : cut.Others)
+  {
+    this->Found.Dropped.push_back({ ballOf(other.Shape), other.Reason });
+  }
+  this->Number = std::move(cut.Number);
+  this->Shapes = std::move(cut.Shapes);
+  this->AreCut = true;
+  this->NumberIds();
+}
+
 void ImageParticles::FindShapes(RankCommunicator& ranks)
 {
   const std::vector<ruc::FittedBall>& balls = this->Found.Balls;
   this->Slab = ruc::ResidualOf(std::exchange(this->Slab, {}), this->Found, ranks);
   if (!this->HasLabels)
   {
-    for (std::size_t n = 0; n < balls.size(); ++n)
-    {
-      this->Ids.push_back(static_cast<std::int64_t>(n) + 1);
-    }
+    this->NumberIds();
     std::vector<ruc::Ball> all = ruc::BallsOf(balls);
     for (const ruc::DroppedBall& dropped : this->Found.Dropped)
     {
@@ -174,19 +205,34 @@ void ImageParticles::FillPack(vtkPolyData* data) const
   PackData::FillPolyData(pack, data);
   const auto add = [&](const char* name, auto&& find)
   { AddNumbers(data, name, balls.size(), find); };
+  add("EqualVolumeRadius",
+    [&](std::size_t n) { return this->Edge * this->Shapes[n].EqualVolumeRadius(); });
+  add("Sphericity", [&](std::size_t n) { return this->Shapes[n].Sphericity(); });
+  if (!this->AreCut)
+  {
+    this->FillFit(data);
+  }
+  add("BorderFaces",
+    [&](std::size_t n)
+    {
+      return static_cast<double>(
+        this->AreCut ? this->Shapes[n].BorderFaces : this->FacesThatCut(balls[n].At));
+    });
+  data->GetPointData()->SetActiveScalars("Radius");
+}
+
+void ImageParticles::FillFit(vtkPolyData* data) const
+{
+  const std::vector<ruc::FittedBall>& balls = this->Found.Balls;
+  const auto add = [&](const char* name, auto&& find)
+  { AddNumbers(data, name, balls.size(), find); };
   const double edge = this->Edge, contrast = this->Found.Model.Contrast;
   const std::vector<double> depths = ruc::FindOverlapDepths(ruc::BallsOf(balls));
-  add(
-    "EqualVolumeRadius", [&](std::size_t n) { return edge * this->Shapes[n].EqualVolumeRadius(); });
-  add("Sphericity", [&](std::size_t n) { return this->Shapes[n].Sphericity(); });
   add("Contrast", [&](std::size_t n) { return balls[n].Contrast; });
   add("FitResidual", [&](std::size_t n) { return balls[n].Residual / contrast; });
   add("CenterError", [&](std::size_t n) { return edge * balls[n].CenterError; });
   add("RadiusError", [&](std::size_t n) { return edge * balls[n].RadiusError; });
   add("OverlapDepth", [&](std::size_t n) { return edge * depths[n]; });
-  add("BorderFaces",
-    [&](std::size_t n) { return static_cast<double>(this->FacesThatCut(balls[n].At)); });
-  data->GetPointData()->SetActiveScalars("Radius");
 }
 
 void ImageParticles::FillDropped(vtkPolyData* data) const
@@ -202,8 +248,11 @@ void ImageParticles::FillDropped(vtkPolyData* data) const
     pack.Radius.push_back(this->Edge * ball.Ball.At.Radius);
   }
   PackData::FillPolyData(pack, data);
-  AddNumbers(
-    data, "Contrast", dropped.size(), [&](std::size_t n) { return dropped[n].Ball.Contrast; });
+  if (!this->AreCut)
+  {
+    AddNumbers(
+      data, "Contrast", dropped.size(), [&](std::size_t n) { return dropped[n].Ball.Contrast; });
+  }
   AddNumbers(data, "Reason", dropped.size(),
     [&](std::size_t n) { return static_cast<double>(dropped[n].Reason); });
   vtkNew<vtkStringArray> reasons;

@@ -5,6 +5,7 @@
 #include "LabelInput.h"
 #include "ruc/Images/Fit/FindSpheres.h"
 #include "ruc/Images/Fit/ParticleLabels.h"
+#include "ruc/Images/Watershed/CutParticles.h"
 
 #include <cstdint>
 #include <vector>
@@ -19,11 +20,12 @@ struct ImageParticles
   ruc::Vector3 Edges{}; // over that
   bool HasLabels = false;
   bool OfPoints = false;      // whether voxels are points
+  bool AreCut = false;        // whether particles are those of a watershed
   ruc::VoxelSlab<float> Slab; // of the values, and later of what is left of them
   /** Of the label, and later of the particle, from 1; NotInPack for particles that are not in the
    * pack. */
   ruc::VoxelSlab<std::int32_t> Number;
-  static constexpr std::int32_t NotInPack = -1;
+  static constexpr std::int32_t NotInPack = ruc::CutParticles::NotKept;
   std::vector<std::int64_t> Labels; // of the image, in rising order
   ruc::FoundSpheres Found;
   std::vector<std::int64_t> Ids;
@@ -34,6 +36,9 @@ struct ImageParticles
    * the same on every rank, for values that are no whole numbers from 0 to 2^24. Collective.
    */
   void NumberLabels(RankCommunicator& ranks);
+  /** Takes the particles of a watershed in place of those of a fit: Found has their centres and
+   * radii of equal volume, as balls, and no more. */
+  void TakeCut(ruc::CutParticles cut);
   /** Sets Ids, Number and Shapes for the particles that were found, and takes these from the slab.
    * Collective. */
   void FindShapes(RankCommunicator& ranks);
@@ -45,6 +50,8 @@ struct ImageParticles
   void FillDropped(vtkPolyData* data) const;
 
 private:
+  void NumberIds();
+  void FillFit(vtkPolyData* data) const;
   ruc::Vector3 PlaceOf(const ruc::Ball& ball) const;
   int FacesThatCut(const ruc::Ball& ball) const;
 };

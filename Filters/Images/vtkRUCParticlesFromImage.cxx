@@ -11,6 +11,7 @@
 #include "ruc/Base/Estimate.h"
 #include "ruc/Base/Require.h"
 #include "ruc/Images/Fit/FindSpheres.h"
+#include "ruc/Images/Watershed/CutParticles.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -50,7 +51,6 @@ void RequireCubes(const ruc::VoxelGrid& grid)
     "voxels whose edges differ by a tenth at most, as resampling makes them",
     Text(grid.Spacing[0], " x ", grid.Spacing[1], " x ", grid.Spacing[2]));
 }
-
 }
 
 vtkRUCParticlesFromImage::vtkRUCParticlesFromImage()
@@ -91,6 +91,9 @@ void vtkRUCParticlesFromImage::ValidateProperties() const
 {
   const auto choice = [](const char* name, int value, int most)
   { Require(value >= 0 && value <= most, name, Text("a value from 0 to ", most), value); };
+  choice("Method", this->Method, WATERSHED);
+  Require(this->MarkerHeight > 0.0 && std::isfinite(this->MarkerHeight), "MarkerHeight",
+    "a finite number > 0", this->MarkerHeight);
   choice("ImageKind", this->ImageKind, LABELS);
   choice("ParticlesAre", this->ParticlesAre, DARK);
   choice("BorderParticles", this->BorderParticles, WHOLE_ONLY);
@@ -115,10 +118,8 @@ bool vtkRUCParticlesFromImage::HasLabels(
   return this->ImageKind == LABELS || (ranks.All(named) && this->ImageKind == AUTOMATIC);
 }
 
-ruc::SphereSearch vtkRUCParticlesFromImage::MakeSearch(const ImageParticles& work) const
+void vtkRUCParticlesFromImage::SetPhases(const ImageParticles& work, ruc::PhaseSearch& search) const
 {
-  ruc::SphereSearch search;
-  search.Edges = work.Edges;
   const double sign = this->ParticlesAre == DARK ? -1.0 : 1.0;
   if (work.HasLabels)
   {
@@ -141,9 +142,31 @@ ruc::SphereSearch vtkRUCParticlesFromImage::MakeSearch(const ImageParticles& wor
     }
   }
   search.Smoothing = this->Smoothing;
-  search.LeastDiameter =
-    this->MinimumDiameter > 0.0 ? this->MinimumDiameter / work.Edge : DiameterOfParticle;
+}
+
+double vtkRUCParticlesFromImage::LeastDiameterOf(const ImageParticles& work) const
+{
+  return this->MinimumDiameter > 0.0 ? this->MinimumDiameter / work.Edge : DiameterOfParticle;
+}
+
+ruc::SphereSearch vtkRUCParticlesFromImage::MakeSearch(const ImageParticles& work) const
+{
+  ruc::SphereSearch search;
+  this->SetPhases(work, search);
+  search.Edges = work.Edges;
+  search.LeastDiameter = this->LeastDiameterOf(work);
   search.OverlapTolerance = this->OverlapTolerance;
+  search.WholeOnly = this->BorderParticles == WHOLE_ONLY;
+  return search;
+}
+
+ruc::ParticleSearch vtkRUCParticlesFromImage::MakeCut(const ImageParticles& work) const
+{
+  ruc::ParticleSearch search;
+  this->SetPhases(work, search);
+  search.Edges = work.Edges;
+  search.MarkerHeight = this->MarkerHeight;
+  search.LeastDiameter = this->LeastDiameterOf(work);
   search.WholeOnly = this->BorderParticles == WHOLE_ONLY;
   return search;
 }
@@ -163,9 +186,9 @@ void vtkRUCParticlesFromImage::ReadImage(ImageParticles& work, RankCommunicator&
   }
 }
 
-void vtkRUCParticlesFromImage::FindParticles(ImageParticles& work, RankCommunicator& ranks)
+void vtkRUCParticlesFromImage::FitSpheres(
+  ImageParticles& work, RankCommunicator& ranks, ProgressReport& report) const
 {
-  ProgressReport report(this, this->GetLabel());
   const auto labels = static_cast<std::int32_t>(work.Labels.size());
   std::vector<ruc::Ball> starts;
   if (work.HasLabels)
@@ -180,10 +203,27 @@ void vtkRUCParticlesFromImage::FindParticles(ImageParticles& work, RankCommunica
   work.Found = ruc::FindSpheres(work.Slab, this->MakeSearch(work), starts, ranks,
     [&](double done, const std::string& what)
     { return ranks.Rank() != 0 || report.Update(done, what); });
-  const std::vector<ruc::FittedBall>& balls = work.Found.Balls;
-  Require(!balls.empty(), "Input", "an image of particles",
+}
+
+void vtkRUCParticlesFromImage::FindParticles(ImageParticles& work, RankCommunicator& ranks)
+{
+  ProgressReport report(this, this->GetLabel());
+  if (this->Method == WATERSHED)
+  {
+    work.TakeCut(ruc::CutImage(std::exchange(work.Slab, {}), this->MakeCut(work), ranks,
+      [&](double done, const std::string& what)
+      { return ranks.Rank() != 0 || report.Update(done, what); }));
+  }
+  else
+  {
+    this->FitSpheres(work, ranks, report);
+  }
+  Require(!work.Found.Balls.empty(), "Input", "an image of particles",
     work.Found.Stopped ? "a stop before any was found" : "none that is kept");
-  work.FindShapes(ranks);
+  if (!work.AreCut)
+  {
+    work.FindShapes(ranks);
+  }
 }
 
 void vtkRUCParticlesFromImage::Warn(const ImageParticles& work)
@@ -230,7 +270,7 @@ void vtkRUCParticlesFromImage::FillImages(
     { return number > 0 ? static_cast<int>(work.Ids[number - 1]) : number; });
 
   voxels = prepare(RESIDUAL, block);
-  if (this->Residual)
+  if (this->Residual && !work.AreCut)
   {
     const std::vector<float> left = ruc::TakeBlock(std::exchange(work.Slab, {}), block, ranks);
     const float sign = this->ParticlesAre == DARK && !work.HasLabels ? -1.0f : 1.0f;
@@ -260,10 +300,16 @@ void vtkRUCParticlesFromImage::AddSummary(
   add("MatrixValue", sign * found.Model.Matrix);
   add("ParticleValue", sign * (found.Model.Matrix + found.Model.Contrast));
   add("Threshold", sign * found.Threshold);
-  add("Blur", work.Edge * found.Model.Blur);
+  if (!work.AreCut)
+  {
+    add("Blur", work.Edge * found.Model.Blur);
+  }
   add("Noise", found.Levels.Noise / found.Model.Contrast);
   add("VoxelsPerDiameter", diameters / static_cast<double>(found.Balls.size()));
-  PackData::AddField(data, "Sweeps", std::vector<long long>{ found.Sweeps });
+  if (!work.AreCut)
+  {
+    PackData::AddField(data, "Sweeps", std::vector<long long>{ found.Sweeps });
+  }
   PackData::AddField(data, "Stopped", std::vector<long long>{ found.Stopped });
 }
 
@@ -276,14 +322,15 @@ void vtkRUCParticlesFromImage::Execute(
   ImageParticles work;
   work.Input = LabelInput::FindImage(input, this->ImageArray, "Input", ranks);
   RequireCubes(work.Input.Grid);
-  this->RequireMemory(
-    ruc::EstimateSpheres(work.Input.Grid.Dimensions, ranks.Size()).MegabytesOfRank, ranks);
+  this->RequireMemory(this->EstimateOf(work.Input.Grid, ranks.Size()).MegabytesOfRank, ranks);
   work.Edge = MeanEdge(work.Input.Grid);
   for (int q = 0; q < 3; ++q)
   {
     work.Edges[q] = work.Input.Grid.Spacing[q] / work.Edge;
   }
   work.HasLabels = this->HasLabels(work.Input, ranks);
+  Require(!work.HasLabels || this->Method != WATERSHED, "Method Watershed",
+    "a grey or binary image, as labels are particles already", "labels");
   work.OfPoints = !ranks.All(!work.Input.Piece.OfPoints);
   this->ReadImage(work, ranks);
   this->FindParticles(work, ranks);
@@ -300,6 +347,12 @@ void vtkRUCParticlesFromImage::Execute(
     outputs, [&](vtkDataObject* data) { this->AddSummary(work, unit, data); });
 }
 
+ruc::Estimate vtkRUCParticlesFromImage::EstimateOf(const ruc::VoxelGrid& grid, int ranks) const
+{
+  return this->Method == WATERSHED ? ruc::EstimateCut(grid.Dimensions, ranks)
+                                   : ruc::EstimateSpheres(grid.Dimensions, ranks);
+}
+
 std::optional<ruc::Estimate> vtkRUCParticlesFromImage::MakeEstimate()
 {
   this->ValidateProperties();
@@ -309,7 +362,7 @@ std::optional<ruc::Estimate> vtkRUCParticlesFromImage::MakeEstimate()
     return {};
   }
   const RankCommunicator ranks(this->GetController());
-  ruc::Estimate estimate = ruc::EstimateSpheres(grid.Dimensions, ranks.Size());
+  ruc::Estimate estimate = this->EstimateOf(grid, ranks.Size());
   if (this->MinimumDiameter == 0.0)
   {
     estimate.Automatic = Text("Minimum Diameter ", DiameterOfParticle * MeanEdge(grid));
@@ -320,6 +373,8 @@ std::optional<ruc::Estimate> vtkRUCParticlesFromImage::MakeEstimate()
 void vtkRUCParticlesFromImage::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "MarkerHeight: " << this->MarkerHeight << "\n";
   os << indent << "ImageArray: " << this->ImageArray << "\n";
   os << indent << "ImageKind: " << this->ImageKind << "\n";
   os << indent << "ParticlesAre: " << this->ParticlesAre << "\n";

@@ -2,27 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRUCParticlesFromImage
- * @brief The spheres in a grey, binary or label image
+ * @brief The particles in a grey, binary or label image
  *
  * Input: an image with an array of one component on its cells or points, such as that of a
- * tomograph. The image is spread over the ranks in slabs; spheres are fitted to its grey values by
- * least squares (Core/Images/Fit/FindSpheres.h).
+ * tomograph. The image is spread over the ranks in slabs. By Method spheres are fitted to its grey
+ * values by least squares (Core/Images/Fit/FindSpheres.h), or particles of any shape are what a
+ * watershed cuts it into (Core/Images/Watershed/CutParticles.h).
  *
  * Output 0 is the pack, whole on rank 0: `Radius`; `Id`, from 1, or the label; `EqualVolumeRadius`
  * of the voxels of the particle and their `Sphericity`; `Contrast`, what it has more than the
  * matrix, over that of all particles; `FitResidual`, the deviation of the image from the fit around
  * its surface, over the contrast; `CenterError` and `RadiusError`, standard errors; `OverlapDepth`
  * with the neighbour that it overlaps most; `BorderFaces`, the number of faces of the image that
- * cut it. The field data are the window (see BorderParticles), `LengthUnit`, `VoxelSize`,
- * `MatrixValue`, `ParticleValue`, `Blur` (a length), `Noise` (over the contrast), `Threshold`,
- * `VoxelsPerDiameter`, `Sweeps` and `Stopped`.
+ * cut it. A watershed gives the centre of the particle's voxels, and its `EqualVolumeRadius` as its
+ * `Radius`; what only a fit can tell, from `Contrast` to `OverlapDepth`, it leaves out. The field
+ * data are the window (see BorderParticles), `LengthUnit`, `VoxelSize`, `MatrixValue`,
+ * `ParticleValue`, `Noise` (over the contrast), `Threshold`, `VoxelsPerDiameter`, `Stopped`, and
+ * for a fit `Blur` (a length) and `Sweeps`.
  *
  * Output 1 is the image with `ParticleId` (int): the Id, 0 in the matrix, and -1 in particles that
- * are not in the pack, as their centre lies outside or near the border; of a label image in all
- * labels that are not in it. Output 2 are the
- * candidates that are not in the pack, with `Radius`, `Contrast`, `Reason` (ruc::DropReason) and
- * `ReasonText`. Output 3 is, with Residual, the image with `Residual` (float), what is left of it
- * when the fitted spheres are taken away.
+ * are not in the pack, as their centre lies outside or near the border; of a label image, and of a
+ * watershed, in all that are not in it. Output 2 are the candidates that are not in the pack, with
+ * `Radius`, `Contrast` (of a fit), `Reason` (ruc::DropReason) and `ReasonText`. Output 3 is, with
+ * Residual, the image with `Residual` (float), what is left of it when the fitted spheres are taken
+ * away; a watershed leaves none.
  */
 #ifndef vtkRUCParticlesFromImage_h
 #define vtkRUCParticlesFromImage_h
@@ -40,8 +43,12 @@ struct Image;
 }
 namespace ruc
 {
+struct ParticleSearch;
+struct PhaseSearch;
 struct SphereSearch;
+struct VoxelGrid;
 }
+class ProgressReport;
 struct ImageParticles;
 
 class RUCIMAGES_EXPORT vtkRUCParticlesFromImage : public vtkRUCEstimatedAlgorithm
@@ -51,6 +58,11 @@ public:
   vtkTypeMacro(vtkRUCParticlesFromImage, vtkRUCEstimatedAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum Methods
+  {
+    SPHERE_FIT = 0,
+    WATERSHED = 1
+  };
   enum ImageKinds
   {
     AUTOMATIC = 0,
@@ -76,6 +88,21 @@ public:
     RESIDUAL = 3
   };
 
+  ///@{
+  /**
+   * How particles are found: SPHERE_FIT fits spheres to the grey values by least squares; WATERSHED
+   * cuts what is above the threshold into particles of any shape (Core/Images/Watershed).
+   * Default: SPHERE_FIT.
+   */
+  vtkSetMacro(Method, int);
+  vtkGetMacro(Method, int);
+  ///@}
+  ///@{
+  /** How much farther from the matrix, in voxels, a particle of WATERSHED must have its inmost
+   * voxel than its widest neck to another one that reaches farther. Default: 0.5. */
+  vtkSetMacro(MarkerHeight, double);
+  vtkGetMacro(MarkerHeight, double);
+  ///@}
   ///@{
   /** The array of values. Default: "", which stands for the first array of one component, of the
    * points or else of the cells. */
@@ -167,14 +194,22 @@ private:
   // Whether values are labels, and which kind the others are
   bool HasLabels(const LabelInput::Image& image, RankCommunicator& ranks) const;
   ruc::SphereSearch MakeSearch(const ImageParticles& work) const;
+  ruc::ParticleSearch MakeCut(const ImageParticles& work) const;
+  // Sets what both searches share
+  void SetPhases(const ImageParticles& work, ruc::PhaseSearch& search) const;
   // Fills the slab of the work, and with labels its starts
   void ReadImage(ImageParticles& work, RankCommunicator& ranks) const;
   void FindParticles(ImageParticles& work, RankCommunicator& ranks);
+  void FitSpheres(ImageParticles& work, RankCommunicator& ranks, ProgressReport& report) const;
+  double LeastDiameterOf(const ImageParticles& work) const;
+  ruc::Estimate EstimateOf(const ruc::VoxelGrid& grid, int ranks) const;
   void Warn(const ImageParticles& work);
   void FillImages(
     ImageParticles& work, vtkInformationVector* outputs, RankCommunicator& ranks) const;
   void AddSummary(const ImageParticles& work, const std::string& unit, vtkDataObject* data) const;
 
+  int Method = SPHERE_FIT;
+  double MarkerHeight = 0.5;
   std::string ImageArray;
   int ImageKind = AUTOMATIC;
   int ParticlesAre = BRIGHT;

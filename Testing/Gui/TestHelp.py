@@ -40,6 +40,7 @@ PROPERTIES = {'filters.DirectionalProbability': ['Number Of Directions', 'Number
               'filters.ProbabilityMap': ['Phase Pairs', 'Resolution', 'Spacing'],
               'filters.ChordLengths': ['Number Of Lines', 'Target Error', 'Mask Label'],
               'filters.LabelImage': ['Voxel Size', 'Dimensions', 'Samples Per Axis', 'Memory Limit'],
+              'filters.ParticlesFromImage': ['Method', 'Marker Height', 'Overlap Tolerance', 'Border Particles'],
               'filters.RadialDistribution': ['Maximum Lag', 'Number Of Lags', 'Estimated Memory'],
               'filters.TwoPointProbability': ['Method', 'Number Of Lines', 'Seed', 'Box Size', 'Estimated Time'],
               'filters.UnitCellReconstruction': ['Method', 'Cell Size', 'Checkpoint Interval', 'Cylinder Axis'],

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Particles From Image in a script: the spheres of a pack from the image of its volume fractions with noise, from its phases and from its
-ids, the image that they leave behind, and a cell of the pack that was found; the numbers of one rank are those of two.
+ids, and by watershed, the image that they leave behind, and what the pack that was found is good for; the numbers of one rank are those of two.
 
     pvbatch particles_from_image.py FOLDER NUMBERS.json
 """
@@ -100,6 +100,30 @@ def binary_and_labels():
     assert all(ids.GetValue(n) in known for n in range(ids.GetNumberOfTuples())), 'ids are the labels'
 
 
+def watershed():
+    """Particles without a fit: nearly all spheres, whose volume is that of their voxels."""
+    cut = ParticlesFromImage(Input=grey, ImageArray='Grey', Method='Watershed')
+    found, fitted = spheres(cut), spheres(particles)
+    assert abs(len(found) - len(fitted)) < 0.1 * len(fitted), (len(found), len(fitted))
+    whole = ParticlesFromImage(Input=grey, ImageArray='Grey', Method='Watershed', BorderParticles='Whole Only')
+    inner = spheres(whole)
+    for x, y, z, r in inner:
+        near = min(fitted, key=lambda other: math.dist(other[:3], (x, y, z)))
+        assert math.dist(near[:3], (x, y, z)) < 2 * VOXEL and abs(near[3] - r) < 0.15 * r, (x, y, z, r, near)
+    assert len(inner) > 20, len(inner)
+    data = fetch(cut)
+    volume = sum(4 / 3 * math.pi * r ** 3 for _, _, _, r in found) / math.prod(field(data, 'BoxSize'))
+    # The image has what the border cuts off
+    sums = IntegrateVariables(Input=image)
+    expected = fetch(sums).GetCellData().GetArray('VolumeFraction').GetValue(0) / math.prod(SIZE)
+    assert abs(volume - expected) < 0.02, (volume, expected)
+    for name in ('EqualVolumeRadius', 'Sphericity', 'BorderFaces'):
+        array = data.GetPointData().GetArray(name)
+        remember('watershed ' + name, [array.GetValue(n) for n in range(array.GetNumberOfTuples())])
+    remember('watershed', [value for sphere in found for value in sphere])
+    expect_error(ParticlesFromImage(Input=image, ImageArray='ParticleId', Method='Watershed'), ['labels are particles already'])
+
+
 def as_a_pack():
     """What was found is a pack for all that comes after it."""
     whole = ParticlesFromImage(Input=grey, ImageArray='Grey', BorderParticles='Whole Only')
@@ -125,4 +149,4 @@ def refusals():
 
 
 if __name__ == '__main__':
-    run((grey_values, images, binary_and_labels, as_a_pack, refusals), EXPECTED)
+    run((grey_values, images, binary_and_labels, watershed, as_a_pack, refusals), EXPECTED)

@@ -267,6 +267,20 @@ TEST(ParticlesFromImageEquality, Labels)
   ExpectSameParticles([](auto* f) { f->SetImageKind(Particles::LABELS); }, LabelAt);
 }
 
+TEST(ParticlesFromImageEquality, Watershed)
+{
+  ExpectSameParticles([](auto* f) { f->SetMethod(Particles::WATERSHED); });
+  ExpectSameParticles(
+    [](auto* f)
+    {
+      f->SetMethod(Particles::WATERSHED);
+      f->SetParticlesAre(Particles::DARK);
+      f->SetBorderParticles(Particles::WHOLE_ONLY);
+      f->SetSmoothing(1);
+    },
+    [](int x, int y, int z) { return 2000.0 - GreyAt(x, y, z); });
+}
+
 TEST(ParticlesFromImage, FindsTheSpheresOfEveryKind)
 {
   const Form& form = Forms[0];
@@ -336,6 +350,74 @@ TEST(ParticlesFromImage, TellsOfEveryParticle)
     square += residual->GetTuple1(n) * residual->GetTuple1(n);
   }
   EXPECT_NEAR(std::sqrt(square / residual->GetNumberOfTuples()), 40.0, 1.5);
+}
+
+TEST(ParticlesFromImage, CutsParticlesOfAnyShape)
+{
+  const auto filter = Alone(MakeImage(Forms[0], 0, 0, Size[0], GreyAt),
+    [](auto* f)
+    {
+      f->SetMethod(Particles::WATERSHED);
+      f->SetResidual(true); // which a watershed leaves none of
+    });
+  vtkPolyData* pack = PackOf(filter);
+  auto* image = vtkImageData::SafeDownCast(filter->GetOutputDataObject(Particles::IDS));
+  vtkDataArray* ids = image->GetCellData()->GetArray("ParticleId");
+  ASSERT_EQ(ids->GetNumberOfTuples(), Size[0] * Size[1] * Size[2]);
+  ASSERT_EQ(pack->GetNumberOfPoints(), NumberOfSpheres);
+  std::vector<int> voxels(NumberOfSpheres + 1, 0);
+  for (vtkIdType n = 0; n < ids->GetNumberOfTuples(); ++n)
+  {
+    const int id = static_cast<int>(ids->GetTuple1(n));
+    ++voxels[std::max(id, 0)];
+  }
+  int cut = 0;
+  for (int n = 0; n < NumberOfSpheres; ++n)
+  {
+    EXPECT_EQ(At(pack, "Id", n), n + 1);
+    const double radius = At(pack, "Radius", n);
+    EXPECT_EQ(At(pack, "EqualVolumeRadius", n), radius);
+    EXPECT_NEAR(4.0 / 3.0 * 3.14159265358979324 * std::pow(radius / VoxelEdge, 3), voxels[n + 1],
+      1e-6 * voxels[n + 1]);
+    EXPECT_GT(At(pack, "Sphericity", n), 0.8);
+    cut += At(pack, "BorderFaces", n) > 0.0 ? 1 : 0;
+    double least = 1e9;
+    for (const Sphere& ball : Spheres)
+    {
+      const double* p = pack->GetPoint(n);
+      least = std::min(least,
+        std::hypot((p[0] - Origin[0]) / VoxelEdge - ball.X, (p[1] - Origin[1]) / VoxelEdge - ball.Y,
+          (p[2] - Origin[2]) / VoxelEdge - ball.Z));
+    }
+    EXPECT_LT(least, At(pack, "BorderFaces", n) > 0.0 ? 3.0 : 0.5);
+  }
+  EXPECT_EQ(cut, 2);
+  for (const char* name :
+    { "Contrast", "FitResidual", "CenterError", "RadiusError", "OverlapDepth" })
+  {
+    EXPECT_EQ(pack->GetPointData()->GetArray(name), nullptr) << name;
+  }
+  EXPECT_EQ(pack->GetFieldData()->GetArray("Blur"), nullptr);
+  EXPECT_EQ(filter->GetOutputDataObject(Particles::RESIDUAL)
+              ->GetAttributes(vtkDataObject::CELL)
+              ->GetNumberOfArrays(),
+    0);
+  // All in one piece where the neck between two is never deep enough
+  const auto joined = Alone(
+    MakeImage(Forms[1], 0, 0, Size[0],
+      [](int x, int y, int z) {
+        return BlurredBall({ 12, 14, 18, 7 }, x, y, z) + BlurredBall({ 24, 14, 18, 7 }, x, y, z);
+      }),
+    [](auto* f)
+    {
+      f->SetMethod(Particles::WATERSHED);
+      f->SetMarkerHeight(6.0);
+    });
+  EXPECT_EQ(PackOf(joined)->GetNumberOfPoints(), 1);
+  EXPECT_LT(At(PackOf(joined), "Sphericity", 0), 0.95);
+  joined->SetMarkerHeight(0.5);
+  joined->Update();
+  EXPECT_EQ(PackOf(joined)->GetNumberOfPoints(), 2);
 }
 
 TEST(ParticlesFromImage, WholeSpheresHaveASmallerWindow)
@@ -466,5 +548,22 @@ TEST(ParticlesFromImageRefusals, Settings)
       f->SetParticleValue(500.0);
     });
   RefusesSettings(
-    { "MemoryLimit requires at least", "got 0.1" }, [](auto* f) { f->SetMemoryLimit(0.1); });
+    { "Method requires a value from 0 to 1, got 2" }, [](auto* f) { f->SetMethod(2); });
+  RefusesSettings({ "MarkerHeight requires a finite number > 0, got 0" },
+    [](auto* f) { f->SetMarkerHeight(0.0); });
+  RefusesSettings({ "Method Watershed requires a grey or binary image", "got labels" },
+    [](auto* f)
+    {
+      f->SetMethod(Particles::WATERSHED);
+      f->SetImageKind(Particles::LABELS);
+    });
+  for (int method : { Particles::SPHERE_FIT, Particles::WATERSHED })
+  {
+    RefusesSettings({ "MemoryLimit requires at least", "got 0.1" },
+      [&](auto* f)
+      {
+        f->SetMethod(method);
+        f->SetMemoryLimit(0.1);
+      });
+  }
 }

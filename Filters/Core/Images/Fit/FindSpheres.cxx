@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Images/Fit/FindSpheres.h"
 
-#include "ruc/Base/Require.h"
+#include "ruc/Base/Text.h"
 #include "ruc/Images/Fit/DistanceMap.h"
 #include "ruc/Images/Fit/SphereCandidates.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace ruc
@@ -71,49 +73,24 @@ private:
 
 GreyModel Search::FindLevels(const VoxelSlab<float>& image)
 {
-  GreyLevels& levels = this->Found.Levels;
-  levels = FindGreyLevels(image, this->Ranks);
-  const bool binary = this->How.Binary.value_or(levels.TwoValues);
-  Require(!binary || levels.TwoValues, "A binary image", "two values", "more");
-  this->Found.Binary = binary;
-  const double threshold = this->How.Threshold.value_or(levels.Threshold);
-  Require(threshold >= levels.Low && threshold < levels.High, "Threshold",
-    Text("a value between those of the image, from ", levels.Low, " to ", levels.High), threshold);
-  this->Found.Threshold = threshold;
+  static_cast<TwoPhases&>(this->Found) = FindPhases(image, this->How, this->Ranks);
   GreyModel model;
   model.Edges = this->How.Edges;
-  model.Matrix = this->How.MatrixValue.value_or(binary ? levels.Low : levels.Below);
-  model.Contrast =
-    this->How.ParticleValue.value_or(binary ? levels.High : levels.Above) - model.Matrix;
-  Require(model.Contrast > 0.0, "ParticleValue",
-    Text("a value above that of the matrix, ", model.Matrix), model.Matrix + model.Contrast);
-  model.Blur = binary ? BlurOfBinary : 1.0;
-  const double noise = binary ? 0.0 : levels.Noise / model.Contrast;
-  this->Found.Smoothing = this->How.Smoothing >= 0 ? this->How.Smoothing : SmoothingFor(noise);
+  model.Matrix = this->Found.MatrixValue;
+  model.Contrast = this->Found.Contrast;
+  model.Blur = this->Found.Binary ? BlurOfBinary : 1.0;
   return model;
 }
 
 std::vector<Ball> Search::FindCandidates(const VoxelSlab<float>& image)
 {
-  const int times = this->Found.Smoothing;
   const auto maxima = [&](const VoxelSlab<float>& of)
   {
-    const float threshold = static_cast<float>(this->Found.Threshold);
-    return FindMaxima(SquaredDistances(of, threshold, this->Ranks), 0.5 * this->How.LeastDiameter,
-      this->How.Edges, this->Ranks);
+    return FindMaxima(SquaredDistances(of, static_cast<float>(this->Found.Threshold), this->Ranks),
+      0.5 * this->How.LeastDiameter, this->How.Edges, this->Ranks);
   };
-  if (times == 0)
-  {
-    return KeepFirstOfEach(maxima(image));
-  }
-  VoxelSlab<float> smooth = image;
-  SetHalo(smooth, times, this->Ranks);
-  for (int n = 0; n < times; ++n)
-  {
-    Smooth(smooth);
-  }
-  SetHalo(smooth, 0, this->Ranks);
-  return KeepFirstOfEach(maxima(smooth));
+  const int times = this->Found.Smoothing;
+  return KeepFirstOfEach(times == 0 ? maxima(image) : maxima(Smoothed(image, times, this->Ranks)));
 }
 
 std::vector<Ball> Search::FindMissing(SphereFit& fit)

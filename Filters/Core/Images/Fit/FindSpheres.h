@@ -3,28 +3,21 @@
 #pragma once
 
 #include "ruc/Base/Estimate.h"
-#include "ruc/Images/Fit/GreyLevels.h"
 #include "ruc/Images/Fit/SphereFit.h"
+#include "ruc/Images/Fit/TwoPhases.h"
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace ruc
 {
 /** How spheres are looked for. Lengths are in mean edges of a voxel. */
-struct SphereSearch
+struct SphereSearch : PhaseSearch
 {
   Vector3 Edges = { 1.0, 1.0, 1.0 }; // of a voxel, in their mean
-  /** Whether the image has two values without blur, those of matrix and particle. Where it is not
-   * said, it has if there are no others. */
-  std::optional<bool> Binary;
-  std::optional<double> Threshold;                  // between the phases; else that of Otsu
-  std::optional<double> MatrixValue, ParticleValue; // else fitted
-  int Smoothing = -1;            // how often it is smoothed to find candidates; -1: by the noise
-  double LeastDiameter = 3.0;    // of a particle
-  double OverlapTolerance = 0.2; // the share of its diameter by which a particle may overlap
+  double LeastDiameter = 3.0;        // of a particle
+  double OverlapTolerance = 0.2;     // the share of its diameter by which a particle may overlap
   /** Whether the window is the image less the largest radius, so that its spheres are whole. */
   bool WholeOnly = false;
 };
@@ -58,16 +51,13 @@ struct DroppedBall
   }
 };
 
-struct FoundSpheres
+struct FoundSpheres : TwoPhases
 {
   std::vector<FittedBall> Balls; // in the order of z, y, x
   std::vector<DroppedBall> Dropped;
   GreyModel Model;
-  GreyLevels Levels;
-  double Threshold = 0.0;
-  bool Binary = false;
   double Margin = 0.0; // from the image to the window: the largest radius with WholeOnly
-  int Smoothing = 0, Sweeps = 0;
+  int Sweeps = 0;
   bool Stopped = false; // before the fit had come to its end
 };
 

@@ -86,14 +86,48 @@ enum Counted
   NumberCounted = BORDERS + 3
 };
 
-void CountPlane(const VoxelSlab<std::int32_t>& labels, int z, std::vector<std::int64_t>& counts)
+// What is counted of each label, and where its voxels begin and end: the first along each axis, and
+// the last with the other sign
+struct LabelCounts
+{
+  explicit LabelCounts(std::int32_t labels)
+    : Sums(static_cast<std::size_t>(labels) * NumberCounted, 0)
+    , Ends(static_cast<std::size_t>(labels) * 6, std::numeric_limits<std::int32_t>::max())
+  {
+  }
+  void Extend(std::int32_t label, const std::array<std::int32_t, 3>& voxel)
+  {
+    std::int32_t* ends = this->Ends.data() + static_cast<std::size_t>(label - 1) * 6;
+    for (int q = 0; q < 3; ++q)
+    {
+      ends[q] = std::min(ends[q], voxel[q]);
+      ends[3 + q] = std::min(ends[3 + q], -voxel[q]);
+    }
+  }
+  void Add(const LabelCounts& other)
+  {
+    for (std::size_t n = 0; n < this->Sums.size(); ++n)
+    {
+      this->Sums[n] += other.Sums[n];
+    }
+    for (std::size_t n = 0; n < this->Ends.size(); ++n)
+    {
+      this->Ends[n] = std::min(this->Ends[n], other.Ends[n]);
+    }
+  }
+
+  std::vector<std::int64_t> Sums;
+  std::vector<std::int32_t> Ends;
+};
+
+void CountPlane(const VoxelSlab<std::int32_t>& labels, int z, LabelCounts& counts)
 {
   const auto& n = labels.Dimensions;
   const auto count = [&](std::int32_t label, int what, std::int64_t value)
   {
     if (label > 0)
     {
-      counts[static_cast<std::size_t>(label - 1) * NumberCounted + what] += value;
+      counts.Sums[static_cast<std::size_t>(label - 1) * NumberCounted + what] += value;
     }
   };
   for (int y = 0; y < n[1]; ++y)
@@ -106,6 +140,10 @@ void CountPlane(const VoxelSlab<std::int32_t>& labels, int z, std::vector<std::i
       count(label, PLACE_X, x);
       count(label, PLACE_Y, y);
       count(label, PLACE_Z, z);
+      if (label > 0)
+      {
+        counts.Extend(label, { x, y, z });
+      }
       for (const Direction& to : Directions)
       {
         const int u = x + to.X, v = y + to.Y, w = z + to.Z;
@@ -182,31 +220,37 @@ std::vector<ParticleShape> MeasureShapes(
 {
   const int first = labels.First, last = labels.Last;
   SetHalo(labels, 1, ranks);
-  std::vector<std::int64_t> counts(static_cast<std::size_t>(count) * NumberCounted, 0);
+  LabelCounts counts(count);
 #pragma omp parallel
   {
-    std::vector<std::int64_t> own(counts.size(), 0);
+    LabelCounts own(count);
 #pragma omp for schedule(dynamic) nowait
     for (int z = first; z < last; ++z)
     {
       CountPlane(labels, z, own);
     }
 #pragma omp critical
-    std::transform(own.begin(), own.end(), counts.begin(), counts.begin(), std::plus<>());
+    counts.Add(own);
   }
-  ranks.Sum(counts.data(), counts.size());
+  ranks.Sum(counts.Sums.data(), counts.Sums.size());
+  ranks.Minimum(counts.Ends.data(), counts.Ends.size());
 
   const double voxel = edges[0] * edges[1] * edges[2];
   std::vector<ParticleShape> shapes(count);
   for (std::int32_t n = 0; n < count; ++n)
   {
-    const std::int64_t* of = counts.data() + static_cast<std::size_t>(n) * NumberCounted;
+    const std::int64_t* of = counts.Sums.data() + static_cast<std::size_t>(n) * NumberCounted;
+    const std::int32_t* ends = counts.Ends.data() + static_cast<std::size_t>(n) * 6;
     ParticleShape& shape = shapes[n];
     const double voxels = static_cast<double>(of[VOXELS]);
     shape.Volume = voxel * voxels;
     for (int q = 0; q < 3 && voxels > 0.0; ++q)
     {
+      const int begin = ends[q], end = 1 - ends[3 + q];
       shape.Centre[q] = edges[q] * (static_cast<double>(of[PLACE_X + q]) / voxels + 0.5);
+      shape.BorderFaces += (begin == 0 ? 1 : 0) + (end == labels.Dimensions[q] ? 1 : 0);
+      shape.Reach = std::max(
+        { shape.Reach, shape.Centre[q] - edges[q] * begin, edges[q] * end - shape.Centre[q] });
     }
     for (int kind = 0; kind < 3; ++kind)
     {

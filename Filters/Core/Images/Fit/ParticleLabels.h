@@ -26,6 +26,8 @@ struct ParticleShape
   double Volume = 0.0;  // in mean voxels
   double Surface = 0.0; // in squares of their edge
   Vector3 Centre{};     // of the volume
+  int BorderFaces = 0;  // of the image that its voxels touch
+  double Reach = 0.0;   // from the centre to the farthest face of a voxel, along an axis
 
   /** The radius of a ball of that volume. */
   double EqualVolumeRadius() const;
