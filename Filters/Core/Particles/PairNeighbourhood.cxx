@@ -125,10 +125,17 @@ std::vector<Edges> EdgesTo(const PackShare& share, std::size_t i, const std::vec
   return found;
 }
 
+// Whether a pair is met from one of its spheres, or from both
+enum class Met
+{
+  Once,
+  FromBoth
+};
+
 // The spheres of this rank that belong to the surroundings of another rank's centres, or of its own
 // by periodic images, for those pairs that are for that rank to meet
 Halo HaloOf(int rank, const PackShare& share, const std::vector<Bounds>& bounds,
-  const SizeClasses& classes, int own)
+  const SizeClasses& classes, Met met, int own)
 {
   const Edges none = { 0, 0, 0 };
   Halo halo;
@@ -136,7 +143,8 @@ Halo HaloOf(int rank, const PackShare& share, const std::vector<Bounds>& bounds,
   {
     for (const Edges& edges : EdgesTo(share, i, bounds, classes))
     {
-      if (edges > none || (edges == none && rank < own))
+      if (met == Met::FromBoth ? edges != none || rank != own
+                               : edges > none || (edges == none && rank < own))
       {
         halo[edges].Append(share.Own, i);
       }
@@ -146,13 +154,13 @@ Halo HaloOf(int rank, const PackShare& share, const std::vector<Bounds>& bounds,
 }
 
 // Receives what the other ranks, and this one along periodic axes, have around this rank's centres
-Halo ExchangeHalos(const PackShare& share, const SizeClasses& classes, Communicator& ranks)
+Halo ExchangeHalos(const PackShare& share, const SizeClasses& classes, Met met, Communicator& ranks)
 {
   const std::vector<std::vector<Bounds>> bounds = FindBounds(share.Own, classes, ranks);
   std::vector<std::vector<HaloPart>> outgoing(ranks.Size());
   for (int rank = 0; rank < ranks.Size(); ++rank)
   {
-    for (auto& [edges, pack] : HaloOf(rank, share, bounds[rank], classes, ranks.Rank()))
+    for (auto& [edges, pack] : HaloOf(rank, share, bounds[rank], classes, met, ranks.Rank()))
     {
       outgoing[rank].push_back({ edges, std::move(pack) });
     }
@@ -168,7 +176,23 @@ Halo ExchangeHalos(const PackShare& share, const SizeClasses& classes, Communica
   return halo;
 }
 
-const Window Unbounded = Window::MakeBox({ 0, 0, 0 }, { 1, 1, 1 }, { false, false, false });
+// The share's own spheres and those around them
+std::vector<PairNeighbourhood::Part> FindParts(
+  const PackShare& share, const SizeClasses& classes, Met met, Communicator& ranks)
+{
+  const Window unbounded = Window::MakeBox({ 0, 0, 0 }, { 1, 1, 1 }, { false, false, false });
+  Halo halo = ExchangeHalos(share, classes, met, ranks);
+  std::vector<PairNeighbourhood::Part> parts;
+  parts.push_back({ share.Own, CellList(share.Own, unbounded, classes), { 0.0, 0.0, 0.0 } });
+  for (auto& [edges, pack] : halo)
+  {
+    const Vector3& size = share.Observed.Size;
+    CellList cells(pack, unbounded, classes);
+    parts.push_back({ std::move(pack), std::move(cells),
+      { edges[0] * size[0], edges[1] * size[1], edges[2] * size[2] } });
+  }
+  return parts;
+}
 }
 
 PairNeighbourhood::PairNeighbourhood(const PackShare& share, double cutoff, Communicator& ranks)
@@ -178,17 +202,9 @@ PairNeighbourhood::PairNeighbourhood(const PackShare& share, double cutoff, Comm
 
 PairNeighbourhood::PairNeighbourhood(
   const PackShare& share, const SizeClasses& classes, Communicator& ranks)
-  : Classes(classes)
+  : Parts(FindParts(share, classes, Met::Once, ranks))
+  , Classes(classes)
 {
-  Halo halo = ExchangeHalos(share, classes, ranks);
-  this->Parts.push_back({ share.Own, CellList(share.Own, Unbounded, classes), { 0.0, 0.0, 0.0 } });
-  for (auto& [edges, pack] : halo)
-  {
-    const Vector3& size = share.Observed.Size;
-    CellList cells(pack, Unbounded, classes);
-    this->Parts.push_back({ std::move(pack), std::move(cells),
-      { edges[0] * size[0], edges[1] * size[1], edges[2] * size[2] } });
-  }
 }
 
 void PairNeighbourhood::FindRanges(std::size_t i, std::vector<Range>& ranges) const
@@ -221,5 +237,11 @@ std::int64_t PairNeighbourhood::MostNeighbours() const
     most += part.Cells.MostNeighbours();
   }
   return most;
+}
+
+Surroundings::Surroundings(const PackShare& share, double reach, Communicator& ranks)
+  : Reach2(reach * reach)
+  , Parts(FindParts(share, SizeClasses(reach), Met::FromBoth, ranks))
+{
 }
 }

@@ -101,4 +101,59 @@ public:
 private:
   SizeClasses Classes;
 };
+
+/**
+ * This rank's share of a pack and everything around each of its centres: all spheres, of other
+ * ranks and images along periodic axes, that are closer to an own centre than one reach. Here every
+ * centre meets all others, so that a pair is met from both sides, by the ranks of both. The
+ * displacements are those of PairNeighbourhood.
+ */
+class Surroundings
+{
+public:
+  /** `reach` > 0. Collective. */
+  Surroundings(const PackShare& share, double reach, Communicator& ranks);
+
+  /** The number of own centres, which have a sorted place each. */
+  std::size_t Size() const { return this->Parts.front().Cells.Size(); }
+  /** The place in the share of the centre at a sorted place. */
+  std::size_t PlaceOf(std::size_t i) const { return this->Parts.front().Cells.Index[i]; }
+
+  /**
+   * Calls visit(part, j, dx, dy, dz, d2) for every other centre, images of its own included, closer
+   * to the own centre at the sorted place i than the reach. j is the place of the sphere in
+   * part.Pack.
+   */
+  template <class Visit>
+  void ForEachAround(std::size_t i, Visit&& visit) const
+  {
+    const CellList& own = this->Parts.front().Cells;
+    const double x = own.X[i], y = own.Y[i], z = own.Z[i];
+    thread_local std::vector<CellList::Range> ranges;
+    for (std::size_t p = 0; p < this->Parts.size(); ++p)
+    {
+      const PairNeighbourhood::Part& part = this->Parts[p];
+      const Vector3& shift = part.Shift;
+      part.Cells.FindRangesAround({ x - shift[0], y - shift[1], z - shift[2] }, 0, ranges);
+      for (const CellList::Range& range : ranges)
+      {
+        for (std::size_t j = range.Begin; j < range.End; ++j)
+        {
+          const double dx = (part.Cells.X[j] - x) + shift[0];
+          const double dy = (part.Cells.Y[j] - y) + shift[1];
+          const double dz = (part.Cells.Z[j] - z) + shift[2];
+          const double d2 = dx * dx + dy * dy + dz * dz;
+          if (d2 < this->Reach2 && (p > 0 || j != i))
+          {
+            visit(part, part.Cells.Index[j], dx, dy, dz, d2);
+          }
+        }
+      }
+    }
+  }
+
+private:
+  double Reach2;
+  std::vector<PairNeighbourhood::Part> Parts; // the first holds the share's own spheres
+};
 }

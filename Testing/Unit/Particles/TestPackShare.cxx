@@ -100,6 +100,7 @@ TEST(PackShare, EverySphereHasOneOwnerAndSharesAreEven)
   }
 }
 
+// Surroundings meet each pair from both sides
 TEST(PairNeighbourhood, MeetsEveryPairOfImagesOnceOverAllRanks)
 {
   using Pair = std::tuple<double, double, double>; // two places and a distance tell a pair apart
@@ -119,13 +120,14 @@ TEST(PairNeighbourhood, MeetsEveryPairOfImagesOnceOverAllRanks)
       for (int size : { 1, 2, 5 })
       {
         std::mutex mutex;
-        std::map<Pair, int> found;
+        std::map<Pair, int> found, around;
         oracle::ThreadRanks::Run(size,
           [&](ruc::Communicator& ranks)
           {
             const ruc::PackShare share =
               ruc::SharePack(oracle::PieceOf(pack, ranks.Rank(), size, false), window, true, ranks);
             const ruc::PairNeighbourhood pairs(share, cutoff, ranks);
+            const ruc::Surroundings surroundings(share, cutoff, ranks);
             const std::lock_guard<std::mutex> lock(mutex);
             pairs.ForEachPair(0, pairs.Size(),
               [&](std::size_t i, const ruc::PairNeighbourhood::Part& part, std::size_t j, double,
@@ -134,10 +136,25 @@ TEST(PairNeighbourhood, MeetsEveryPairOfImagesOnceOverAllRanks)
                 const double a = share.Own.X[i], b = part.Pack.X[j];
                 ++found[{ std::min(a, b), std::max(a, b), std::round(1e9 * std::sqrt(d2)) }];
               });
+            for (std::size_t i = 0; i < surroundings.Size(); ++i)
+            {
+              surroundings.ForEachAround(i,
+                [&](const ruc::PairNeighbourhood::Part& part, std::size_t j, double, double, double,
+                  double d2)
+                {
+                  const double a = share.Own.X[surroundings.PlaceOf(i)], b = part.Pack.X[j];
+                  ++around[{ std::min(a, b), std::max(a, b), std::round(1e9 * std::sqrt(d2)) }];
+                });
+            }
           });
         EXPECT_TRUE(found == expected)
           << window.Describe() << " cut-off " << cutoff << " on " << size
           << " ranks: " << found.size() << " and " << expected.size() << " pairs";
+        for (auto& [pair, count] : around)
+        {
+          count /= 2;
+        }
+        EXPECT_TRUE(around == expected);
       }
     }
   }
