@@ -51,9 +51,10 @@ ruc::PackFigures FindSizes(vtkDataArray* radius, vtkDataArray* mode, vtkIdType p
     ofMode += 1.0;
     cubesOfMode += r * r * r;
   }
-  for (const auto& [number, sums] : modes)
+  for (const auto& [mode, sums] : modes)
   {
     pack.ModeRadius.push_back(std::cbrt(sums.second / sums.first));
+    pack.ModeShare.push_back(sums.first / number);
   }
   pack.MeanRadius /= number;
   pack.MeanSquareRadius /= number;
@@ -152,6 +153,10 @@ std::optional<ruc::CellFigures> PackEstimate::FindCellFigures(
     cell.LargestRadius = std::max(cell.LargestRadius, amounts.Radius[mode]);
   }
   cell.Radius = amounts.Radius;
+  for (double number : amounts.Number)
+  {
+    cell.Share.push_back(number / cell.Density);
+  }
   return cell;
 }
 

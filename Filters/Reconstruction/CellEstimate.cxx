@@ -75,7 +75,7 @@ ruc::Estimate CellEstimate::OfPack(const ruc::PackFigures& pack, const CellPrope
   }
   const double density = pack.Density();
   ruc::CellFigures cell = { FindSpheres(properties, density, edge), density, pack.LargestRadius,
-    pack.Modes, pack.ModeRadius };
+    pack.Modes, pack.ModeRadius, pack.ModeShare };
   if (!properties.ModeDiameters.empty())
   {
     cell.Radius.clear();

@@ -21,6 +21,7 @@ struct PackFigures
   int Modes = 1;
   int Types = 1;                       // the number of different pairs of mode and radius
   std::vector<double> ModeRadius = {}; // half the volume mean diameter of every known mode
+  std::vector<double> ModeShare = {};  // of its spheres in all, in number
 
   /** The number of spheres per unit volume. */
   double Density() const { return this->Spheres / this->Observed.Volume(); }

@@ -132,9 +132,14 @@ void CellObjective::FindGradient(
 CellFigures FiguresOf(const CellContents& contents)
 {
   const double spheres = contents.NumberOfSpheres();
+  std::vector<double> share;
+  for (int count : contents.Count)
+  {
+    share.push_back(count / spheres);
+  }
   return { spheres, spheres / contents.MakeBox().Volume(),
     *std::max_element(contents.Radius.begin(), contents.Radius.end()),
-    static_cast<int>(contents.Radius.size()), contents.Radius };
+    static_cast<int>(contents.Radius.size()), contents.Radius, share };
 }
 
 double EstimateObjectiveBytes(const CellFigures& cell, const LagGrid& lags)

@@ -84,6 +84,7 @@ struct CellFigures
   double LargestRadius = 0.0;
   int Modes = 1;
   std::vector<double> Radius; // the radii of the modes, as far as they are known
+  std::vector<double> Share;  // of each mode in the number of spheres, where that is known
 };
 
 /** Returns the figures of the spheres that fill a cell. */

@@ -8,6 +8,7 @@
 #include "ruc/Packing/HardSpheres.h"
 #include "ruc/Packing/MaximumFraction.h"
 #include "ruc/Packing/OverlapRemoval.h"
+#include "ruc/Particles/SphereOverlap.h"
 #include "ruc/Reconstruction/CellObjective.h"
 #include "ruc/Reconstruction/CellStart.h"
 
@@ -40,16 +41,15 @@ double OverlapPercent(const TwoPointProbability& probability)
 // For dense cells; found on equal spheres and on two sizes
 constexpr double SoftStiffness = 1.0, FirstStiffness = 10.0; // mu
 constexpr int IterationsOfRound = 40, MostRounds = 40;
-constexpr double LeastSoftProgress = 0.005; // of F2 in IterationsOfRound
-constexpr double LeastOverlap = 3e-7;       // of a contact, that events take out without a trace
+constexpr double LeastSoftProgress = 0.02; // of F2 in IterationsOfRound
+constexpr double LeastOverlap = 3e-7;      // of a contact, that events take out without a trace
 constexpr double FirstStepIfDense = 0.1;
 constexpr double LongestEdge = 1.2; // of that of the contents, where spheres jam
 
 // Throws where no random pack is as dense as the cell
-bool IsDense(const CellContents& contents)
+bool IsDense(const std::vector<double>& radii, double fraction, double edge)
 {
-  const std::vector<double> radii = contents.Radii();
-  const double fraction = contents.Fraction(), maximum = MaximumRandomFraction(radii);
+  const double maximum = MaximumRandomFraction(radii);
   if (fraction > maximum + 0.015)
   {
     throw std::invalid_argument(Text("A cell of these spheres would have a fraction of ", fraction,
@@ -57,7 +57,7 @@ bool IsDense(const CellContents& contents)
   }
   const double largest = 2.0 * *std::max_element(radii.begin(), radii.end());
   return radii.size() > 1 && fraction > DenseShare * maximum &&
-    contents.Edge > SphereRooms::LeastEdgeInDiameters * largest * (1.0 + 1e-6);
+    edge > SphereRooms::LeastEdgeInDiameters * largest * (1.0 + 1e-6);
 }
 
 // Whether the numbers of a state that was read can be those of a cell
@@ -89,7 +89,7 @@ public:
     , CarryOn(carryOn)
     , Save(save)
     , Best{ {}, contents.MakeBox(), 0.0, 0.0, {}, 0, EndReason::None, target, {} }
-    , Dense(IsDense(contents))
+    , Dense(IsDense(contents.Radii(), contents.Fraction(), contents.Edge))
   {
   }
 
@@ -464,10 +464,35 @@ UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbabilit
   return search.Run();
 }
 
+namespace
+{
+// Of the pack by events with which a dense cell begins; nothing where it is not known to be dense
+Estimate EstimateStart(const CellFigures& cell)
+{
+  constexpr double MostInSample = 2000.0;
+  DensePackSettings settings;
+  settings.Protocol = PackingProtocol::Events;
+  settings.Fraction = 0.0;
+  for (std::size_t mode = 0; mode < cell.Share.size() && mode < cell.Radius.size(); ++mode)
+  {
+    const double spheres = std::min(cell.Spheres, MostInSample) * cell.Share[mode];
+    settings.Radii.insert(
+      settings.Radii.end(), std::max(1, static_cast<int>(spheres)), cell.Radius[mode]);
+    settings.Fraction += cell.Density * cell.Share[mode] * SphereVolume(cell.Radius[mode]);
+  }
+  const double edge = std::cbrt(cell.Spheres / cell.Density);
+  return !settings.Radii.empty() && IsDense(settings.Radii, settings.Fraction, edge)
+    ? EstimateDensePack(settings, cell.Spheres)
+    : Estimate();
+}
+}
+
 Estimate EstimateGradientSearch(const CellFigures& cell, const LagGrid& lags, int iterations)
 {
-  return { cell.Spheres * SecondsPerStartedSphere +
+  Estimate estimate = { cell.Spheres * SecondsPerStartedSphere +
       (iterations + 1.0) * EstimateEvaluation(cell, lags, true),
     (cell.Spheres * 1000.0 + EstimateObjectiveBytes(cell, lags)) / BytesOfMegabyte, 0.0 };
+  estimate += EstimateStart(cell);
+  return estimate;
 }
 }

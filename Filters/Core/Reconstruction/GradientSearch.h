@@ -109,6 +109,10 @@ UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbabilit
   const std::function<bool(const SearchState&)>& carryOn, const GradientState* resume = nullptr,
   const std::function<void(const GradientState&)>& save = {});
 
-/** What SearchByGradient takes if it runs to its last iteration. */
+/**
+ * What SearchByGradient takes if it runs to its last iteration, with the pack by events with which
+ * a cell begins that is known to be dense. Throws std::invalid_argument where SearchByGradient does
+ * for its fraction.
+ */
 Estimate EstimateGradientSearch(const CellFigures& cell, const LagGrid& lags, int iterations);
 }

@@ -3,6 +3,7 @@
 #include "ruc/Particles/PackFigures.h"
 
 #include "Oracles.h"
+#include "ruc/Packing/DensePack.h"
 #include "ruc/Reconstruction/GradientSearch.h"
 #include "ruc/Reconstruction/Population/PopulationSettings.h"
 #include "ruc/Statistics/PairSums/DirectionalProbability.h"
@@ -144,6 +145,48 @@ TEST(Estimates, OfAnObjectiveGrowsWithTheRatioOfItsRadii)
   EXPECT_LT(bytes, 10.0 * sizeof(double) * histogram.Size());
   contents.Radius[1] = 1e-6;
   EXPECT_NEAR(ruc::EstimateObjectiveBytes(ruc::FiguresOf(contents), lags) / bytes, 1e3, 10.0);
+}
+
+TEST(Estimates, OfDenseCellsHaveTheirStart)
+{
+  const auto estimate = [](double fraction, const std::vector<double>& share)
+  {
+    ruc::CellFigures cell;
+    cell.Spheres = 1000.0;
+    cell.Density = fraction / (oracle::Pi / 6.0);
+    cell.LargestRadius = 0.5;
+    cell.Radius = { 0.5 };
+    cell.Share = share;
+    return ruc::EstimateGradientSearch(cell, { 0.05, 60 }, 10).Seconds;
+  };
+  ruc::DensePackSettings settings;
+  settings.Radii = { 0.5 };
+  settings.Fraction = 0.64;
+  settings.Protocol = ruc::PackingProtocol::Events;
+  const double start = ruc::EstimateDensePack(settings, 1000.0).Seconds;
+  EXPECT_NEAR(estimate(0.64, { 1.0 }) - estimate(0.64, {}), start, 1e-9);
+  EXPECT_EQ(estimate(0.58, { 1.0 }), estimate(0.58, {}));
+  EXPECT_THROW(estimate(0.70, { 1.0 }), std::invalid_argument);
+}
+
+// What is denser, or grows more slowly, collides more often
+TEST(Estimates, OfDensePacks)
+{
+  ruc::DensePackSettings settings;
+  settings.Radii = { 0.5 };
+  settings.Protocol = ruc::PackingProtocol::Events;
+  double before = 0.0;
+  for (double fraction : { 0.50, 0.60, 0.62, 0.64, 0.6449 })
+  {
+    settings.Fraction = fraction;
+    const double seconds = ruc::EstimateDensePack(settings, 1000.0).Seconds;
+    EXPECT_GT(seconds, 1.2 * before) << fraction;
+    before = seconds;
+  }
+  settings.Rate = 0.001;
+  const double slow = ruc::EstimateDensePack(settings, 1000.0).Seconds;
+  settings.Rate = 0.002;
+  EXPECT_NEAR(slow / ruc::EstimateDensePack(settings, 1000.0).Seconds, 2.0, 0.1);
 }
 
 TEST(Estimates, OfSearchesGrowWithTheirIterations)
