@@ -3,8 +3,10 @@
 #pragma once
 
 #include "RUCCommonModule.h"
-#include "ruc/Images/VoxelMask.h"
+#include "ruc/Images/Fit/VoxelSlab.h"
+#include "ruc/Images/VoxelGrid.h"
 
+#include <cstdint>
 #include <string>
 
 class RankCommunicator;
@@ -13,15 +15,22 @@ class vtkImageData;
 /** Images that serve as masks. */
 namespace MaskData RUCCOMMON_EXPORT
 {
+/** A mask of which every rank has the planes of Slabs, with 0 for the voxels outside. */
+struct Mask
+{
+  ruc::VoxelGrid Grid;
+  ruc::VoxelSlab<std::uint8_t> Inside;
+};
+
 /**
- * Returns the whole mask on every rank, from the slabs of an image that the ranks hold. A voxel is
- * inside where its value in `arrayName` is `label`, or, for label 0, is not 0; a value that is not
- * a number is outside. An empty name stands for the first array of one component, of the points or
+ * Spreads the mask over the ranks, from the pieces of an image that they hold. A voxel is inside
+ * where its value in `arrayName` is `label`, or, for label 0, is not 0; a value that is not a
+ * number is outside. An empty name stands for the first array of one component, of the points or
  * else of the cells. A point is the centre of its voxel. Collective.
  *
  * Throws std::invalid_argument, the same on every rank, where there is no such array, for an image
- * with turned axes or without thickness, and where no voxel is inside.
+ * with turned axes or without thickness, and where voxels are in no piece.
  */
-ruc::VoxelMask GatherMask(
+Mask SpreadMask(
   vtkImageData* image, const std::string& arrayName, int label, RankCommunicator& ranks);
 }

@@ -8,6 +8,8 @@
 #include "ruc/Base/Estimate.h"
 #include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
+#include "ruc/Images/MaskErosion.h"
+#include "ruc/Images/VoxelMask.h"
 #include "ruc/Tracing/SamplingRegion.h"
 
 #include "vtkImageData.h"
@@ -17,6 +19,23 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+
+namespace
+{
+// The centres of this rank's spheres that a mask holds
+std::int64_t CentresWithin(
+  const MaskData::Mask& mask, const ruc::PackShare& share, RankCommunicator& ranks)
+{
+  const ruc::VoxelMask whole = ruc::VoxelMask::Gather(mask.Grid, mask.Inside, ranks);
+  std::int64_t inside = 0;
+  for (std::size_t i = 0; i < share.Own.Size(); ++i)
+  {
+    inside += whole.Contains(share.Own.Centre(i));
+  }
+  return inside;
+}
+}
 
 vtkRUCRegionAlgorithm::vtkRUCRegionAlgorithm()
 {
@@ -54,9 +73,12 @@ bool vtkRUCRegionAlgorithm::HasMask()
 
 ruc::Estimate vtkRUCRegionAlgorithm::EstimateRegion()
 {
-  constexpr double bytesPerVoxel = 4.0; // to send it, receive it and put the mask together
-  // The mask, two more on the way, and the distances from the border of an eighth of the voxels
-  constexpr double bytesOfErosion = 5.0;
+  // Any place may be asked for, so that every rank has all of it, but a bit a voxel alone, and as
+  // much again three times to gather it
+  constexpr double bytesOnEveryRank = 0.5;
+  // Of its planes a rank has what is sent, received and put together, or the distances from the
+  // border of an eighth of the voxels in place of that
+  constexpr double bytesOfPlanes = 4.0, bytesOfErosion = 5.0;
   vtkInformation* info = this->HasMask() ? this->GetInputInformation(1, 0) : nullptr;
   vtkImageData* piece = info ? vtkImageData::GetData(info) : nullptr;
   const auto voxelsOf = [](const int* extent)
@@ -76,8 +98,9 @@ ruc::Estimate vtkRUCRegionAlgorithm::EstimateRegion()
     info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
     voxels = std::max(voxels, voxelsOf(whole));
   }
-  const double bytes = this->WindowMargin == 0.0 ? bytesPerVoxel : bytesOfErosion;
-  return { 0.0, voxels * bytes / ruc::BytesOfMegabyte, 0.0 };
+  const double bytes = this->WindowMargin == 0.0 ? bytesOfPlanes : bytesOfErosion;
+  const double megavoxels = voxels / ruc::BytesOfMegabyte;
+  return { 0.0, bytesOnEveryRank * megavoxels, bytes * megavoxels };
 }
 
 std::unique_ptr<ruc::SamplingRegion> vtkRUCRegionAlgorithm::MakeRegion(
@@ -107,14 +130,10 @@ std::unique_ptr<ruc::SamplingRegion> vtkRUCRegionAlgorithm::MakeRegion(
     throw std::invalid_argument(
       ruc::Text("Mask takes one image, got ", this->GetNumberOfInputConnections(1), "."));
   }
-  const ruc::VoxelMask mask =
-    MaskData::GatherMask(vtkImageData::SafeDownCast(this->GetInputDataObject(1, 0)),
+  MaskData::Mask mask =
+    MaskData::SpreadMask(vtkImageData::SafeDownCast(this->GetInputDataObject(1, 0)),
       this->MaskArray, this->MaskLabel, ranks);
-  std::int64_t inside = 0;
-  for (std::size_t i = 0; i < share.Own.Size(); ++i)
-  {
-    inside += mask.Contains(share.Own.Centre(i));
-  }
+  std::int64_t inside = CentresWithin(mask, share, ranks);
   ranks.Sum(&inside, 1);
   if (inside == 0)
   {
@@ -122,7 +141,9 @@ std::unique_ptr<ruc::SamplingRegion> vtkRUCRegionAlgorithm::MakeRegion(
       ruc::Text("Mask requires at least one centre of the pack inside, got none of ",
         share.NumberOfSpheres, "."));
   }
-  return std::make_unique<ruc::SamplingRegion>(mask, this->UsedMargin);
+  mask.Inside = ruc::ErodeMask(std::move(mask.Inside), mask.Grid.Spacing, this->UsedMargin, ranks);
+  return std::make_unique<ruc::SamplingRegion>(
+    ruc::VoxelMask::Gather(mask.Grid, mask.Inside, ranks), 0.0);
 }
 
 std::uint32_t vtkRUCRegionAlgorithm::GetCheckedSeed() const

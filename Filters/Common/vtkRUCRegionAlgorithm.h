@@ -83,7 +83,8 @@ protected:
   /** Tells of the mask, too. */
   PackData::WindowProperties GetWindowProperties() override;
 
-  /** Returns the memory of the mask, which every rank holds while a region is made of it. */
+  /** Returns the memory of the mask: every rank holds planes of it while a region is made, and then
+   * a bit a voxel of all of it. */
   ruc::Estimate EstimateRegion() override;
 
   /**

@@ -4,6 +4,7 @@
 
 #include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
+#include "ruc/Images/MaskErosion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,65 +16,6 @@ namespace ruc
 {
 namespace
 {
-// The number of parts of a mask whose distances are found one after another, so that they take a
-// byte for each voxel
-constexpr int Parts = 8;
-
-/**
- * Computes values[i] = min over j of values[j] + (spacing (i - j))^2, where all values are finite,
- * by the lower envelope of parabolas (Felzenszwalb and Huttenlocher, Theory of Computing 8, 2012).
- */
-class ParabolaEnvelope
-{
-public:
-  explicit ParabolaEnvelope(std::size_t count)
-    : Values(count)
-    , Vertex(count)
-    , From(count)
-  {
-  }
-
-  void Transform(double* values, std::size_t stride, double spacing)
-  {
-    const int count = static_cast<int>(this->Values.size());
-    const double square = spacing * spacing;
-    int last = -1;
-    for (int i = 0; i < count; ++i)
-    {
-      this->Values[i] = values[i * stride];
-      double from = -std::numeric_limits<double>::infinity();
-      while (last >= 0)
-      {
-        const int j = this->Vertex[last];
-        from = 0.5 * ((this->Values[i] - this->Values[j]) / (square * (i - j)) + i + j);
-        if (from > this->From[last])
-        {
-          break;
-        }
-        --last;
-      }
-      ++last;
-      this->Vertex[last] = i;
-      this->From[last] = last == 0 ? -std::numeric_limits<double>::infinity() : from;
-    }
-    int part = 0;
-    for (int i = 0; i < count; ++i)
-    {
-      while (part < last && this->From[part + 1] < i)
-      {
-        ++part;
-      }
-      const double away = i - this->Vertex[part];
-      values[i * stride] = this->Values[this->Vertex[part]] + square * away * away;
-    }
-  }
-
-private:
-  std::vector<double> Values;
-  std::vector<int> Vertex;
-  std::vector<double> From;
-};
-
 void CheckImage(const std::array<int, 3>& dimensions, const Vector3& lower, const Vector3& spacing,
   std::size_t voxels)
 {
@@ -96,120 +38,18 @@ void CheckImage(const std::array<int, 3>& dimensions, const Vector3& lower, cons
   Require(product == static_cast<double>(voxels), "Mask", Text(product, " voxels"), voxels);
 }
 
-std::array<std::size_t, 3> StridesOf(const std::array<int, 3>& dimensions)
+// The bits of rows of voxels, each of which begins with a byte
+std::vector<std::uint8_t> PackRows(const std::vector<std::uint8_t>& inside, std::size_t width)
 {
-  const std::size_t row = dimensions[0];
-  return { 1, row, row * dimensions[1] };
+  const std::size_t bytes = (width + 7) / 8;
+  std::vector<std::uint8_t> bits(inside.size() / width * bytes, 0);
+  for (std::size_t n = 0; n < inside.size(); ++n)
+  {
+    const std::size_t x = n % width;
+    bits[n / width * bytes + x / 8] |= static_cast<std::uint8_t>((inside[n] != 0) << x % 8);
+  }
+  return bits;
 }
-
-// Keeps the inside voxels that touch neither the border of the image nor, by a face, an edge or a
-// corner, an outside voxel
-std::vector<std::uint8_t> WithoutRim(
-  const std::vector<std::uint8_t>& inside, const std::array<int, 3>& dimensions)
-{
-  const std::array<std::size_t, 3> strides = StridesOf(dimensions);
-  std::vector<std::uint8_t> apart = inside;
-  for (int q = 0; q < 3; ++q)
-  {
-    // The former values of the voxels before, which are overwritten
-    std::vector<std::uint8_t> before(strides[q]);
-    for (std::size_t n = 0; n < apart.size(); ++n)
-    {
-      const int along = static_cast<int>(n / strides[q] % dimensions[q]);
-      const std::uint8_t last = std::exchange(before[n % strides[q]], apart[n]);
-      apart[n] =
-        along > 0 && along + 1 < dimensions[q] && apart[n] && last && apart[n + strides[q]];
-    }
-  }
-  return apart;
-}
-
-/**
- * The squared distances of the voxels' centres from the nearest centre of a voxel that is 0, for
- * some planes of voxels with the same x at a time. They take eight bytes for each of these voxels.
- */
-class SquaredDistances
-{
-public:
-  SquaredDistances(const std::vector<std::uint8_t>& voxels, const std::array<int, 3>& dimensions,
-    const Vector3& spacing)
-    : Voxels(voxels)
-    , Dimensions(dimensions)
-    , Spacing(spacing)
-    , Far(std::hypot(
-        dimensions[0] * spacing[0], dimensions[1] * spacing[1], dimensions[2] * spacing[2]))
-  {
-  }
-
-  // Finds the distances in the planes first to last - 1, in the order of the voxels
-  const std::vector<double>& Find(int first, int last)
-  {
-    const std::array<int, 3> part = { last - first, this->Dimensions[1], this->Dimensions[2] };
-    const std::array<std::size_t, 3> strides = StridesOf(part);
-    const std::int64_t lines = static_cast<std::int64_t>(part[1]) * part[2];
-    this->Distance2.resize(lines * part[0]);
-#pragma omp parallel
-    {
-      std::vector<int> away(this->Dimensions[0]);
-#pragma omp for schedule(static)
-      for (std::int64_t line = 0; line < lines; ++line)
-      {
-        this->FindAlongLine(line, away);
-        for (int x = first; x < last; ++x)
-        {
-          const double distance = away[x];
-          this->Distance2[line * part[0] + x - first] = away[x] < 0
-            ? this->Far * this->Far
-            : this->Spacing[0] * this->Spacing[0] * distance * distance;
-        }
-      }
-      for (int q : { 1, 2 })
-      {
-        ParabolaEnvelope envelope(part[q]);
-#pragma omp for schedule(static)
-        for (int a = 0; a < part[3 - q]; ++a)
-        {
-          for (int x = 0; x < part[0]; ++x)
-          {
-            envelope.Transform(
-              this->Distance2.data() + a * strides[3 - q] + x, strides[q], this->Spacing[q]);
-          }
-        }
-      }
-    }
-    return this->Distance2;
-  }
-
-private:
-  // Finds, for each voxel of a line along x, how many voxels away the nearest 0 of the line is; -1
-  // if there is none
-  void FindAlongLine(std::int64_t line, std::vector<int>& away) const
-  {
-    const int count = this->Dimensions[0];
-    const std::uint8_t* voxels = &this->Voxels[line * count];
-    int last = -1;
-    for (int x = 0; x < count; ++x)
-    {
-      last = voxels[x] == 0 ? x : last;
-      away[x] = last < 0 ? -1 : x - last;
-    }
-    last = -1;
-    for (int x = count - 1; x >= 0; --x)
-    {
-      last = voxels[x] == 0 ? x : last;
-      if (last >= 0 && (away[x] < 0 || last - x < away[x]))
-      {
-        away[x] = last - x;
-      }
-    }
-  }
-
-  const std::vector<std::uint8_t>& Voxels;
-  std::array<int, 3> Dimensions;
-  Vector3 Spacing;
-  double Far;
-  std::vector<double> Distance2;
-};
 
 // Appends a part, or continues the last interval where the part follows it
 void Append(const LineInterval& part, std::vector<LineInterval>& intervals)
@@ -226,34 +66,59 @@ void Append(const LineInterval& part, std::vector<LineInterval>& intervals)
 }
 
 VoxelMask::VoxelMask(const std::array<int, 3>& dimensions, const Vector3& lower,
-  const Vector3& spacing, std::vector<std::uint8_t> inside)
+  const Vector3& spacing, const std::vector<std::uint8_t>& inside)
   : Dimensions(dimensions)
   , Lower(lower)
   , Spacing(spacing)
-  , Inside(std::move(inside))
 {
-  CheckImage(dimensions, lower, spacing, this->Inside.size());
-  std::array<int, 3> first = dimensions, last = { -1, -1, -1 };
-  std::size_t n = 0;
-  for (int z = 0; z < dimensions[2]; ++z)
+  CheckImage(dimensions, lower, spacing, inside.size());
+  this->Bits = PackRows(inside, dimensions[0]);
+  this->Enclose();
+}
+
+VoxelMask VoxelMask::Gather(
+  const VoxelGrid& grid, const VoxelSlab<std::uint8_t>& inside, Communicator& ranks)
+{
+  VoxelMask mask;
+  mask.Dimensions = grid.Dimensions;
+  mask.Lower = grid.Lower;
+  mask.Spacing = grid.Spacing;
+  std::int64_t voxels = static_cast<std::int64_t>(inside.Values.size());
+  ranks.Sum(&voxels, 1);
+  CheckImage(mask.Dimensions, mask.Lower, mask.Spacing, static_cast<std::size_t>(voxels));
+  mask.Bits = ranks.Concatenate(PackRows(inside.Values, grid.Dimensions[0]));
+  mask.Enclose();
+  return mask;
+}
+
+template <class Use>
+void VoxelMask::ForEachVoxel(Use&& use) const
+{
+  for (int z = 0; z < this->Dimensions[2]; ++z)
   {
-    for (int y = 0; y < dimensions[1]; ++y)
+    for (int y = 0; y < this->Dimensions[1]; ++y)
     {
-      for (int x = 0; x < dimensions[0]; ++x)
+      for (int x = 0; x < this->Dimensions[0]; ++x)
       {
-        if (this->Inside[n++])
-        {
-          ++this->NumberInside;
-          const int voxel[3] = { x, y, z };
-          for (int q = 0; q < 3; ++q)
-          {
-            first[q] = std::min(first[q], voxel[q]);
-            last[q] = std::max(last[q], voxel[q]);
-          }
-        }
+        use(std::array<int, 3>{ x, y, z }, this->IsInside(x, y, z));
       }
     }
   }
+}
+
+void VoxelMask::Enclose()
+{
+  std::array<int, 3> first = this->Dimensions, last = { -1, -1, -1 };
+  this->ForEachVoxel(
+    [&](const std::array<int, 3>& voxel, bool isInside)
+    {
+      this->NumberInside += isInside ? 1 : 0;
+      for (int q = 0; q < 3 && isInside; ++q)
+      {
+        first[q] = std::min(first[q], voxel[q]);
+        last[q] = std::max(last[q], voxel[q]);
+      }
+    });
   if (this->NumberInside == 0)
   {
     throw std::invalid_argument("Mask requires at least one inside voxel, got none.");
@@ -261,10 +126,27 @@ VoxelMask::VoxelMask(const std::array<int, 3>& dimensions, const Vector3& lower,
   Vector3 corner, size;
   for (int q = 0; q < 3; ++q)
   {
-    corner[q] = lower[q] + first[q] * spacing[q];
-    size[q] = (last[q] + 1 - first[q]) * spacing[q];
+    corner[q] = this->Lower[q] + first[q] * this->Spacing[q];
+    size[q] = (last[q] + 1 - first[q]) * this->Spacing[q];
   }
   this->Bounds = Window::MakeBox(corner, size, { false, false, false });
+}
+
+std::vector<std::size_t> VoxelMask::InsideVoxels() const
+{
+  std::vector<std::size_t> voxels;
+  voxels.reserve(this->NumberInside);
+  std::size_t voxel = 0;
+  this->ForEachVoxel(
+    [&](const std::array<int, 3>&, bool isInside)
+    {
+      if (isInside)
+      {
+        voxels.push_back(voxel);
+      }
+      ++voxel;
+    });
+  return voxels;
 }
 
 bool VoxelMask::Contains(const Vector3& point) const
@@ -279,7 +161,7 @@ bool VoxelMask::Contains(const Vector3& point) const
     }
     voxel[q] = static_cast<int>(v);
   }
-  return this->Inside[this->VoxelAt(voxel[0], voxel[1], voxel[2])] != 0;
+  return this->IsInside(voxel[0], voxel[1], voxel[2]);
 }
 
 double VoxelMask::Volume() const
@@ -294,34 +176,13 @@ VoxelMask VoxelMask::Eroded(double margin) const
   {
     return *this;
   }
-  // Voxels that touch an outside one, or the border, are at no distance from it. The distance
-  // between any other voxel, as a box, and the outside is the distance between its centre and the
-  // nearest centre of such a voxel, as one spacing along each axis is taken off either way.
-  const std::vector<std::uint8_t> apart = WithoutRim(this->Inside, this->Dimensions);
-  SquaredDistances distances(apart, this->Dimensions, this->Spacing);
-  std::vector<std::uint8_t> kept(this->Inside.size());
-  const double least = margin * (1.0 - 1e-9);
-  bool any = false;
-  const int planes = (this->Dimensions[0] + Parts - 1) / Parts;
-  for (int first = 0; first < this->Dimensions[0]; first += planes)
-  {
-    const int last = std::min(first + planes, this->Dimensions[0]);
-    auto distance2 = distances.Find(first, last).begin();
-    for (std::size_t row = 0; row < kept.size(); row += this->Dimensions[0])
-    {
-      for (std::size_t n = row + first; n < row + last; ++n, ++distance2)
-      {
-        kept[n] = this->Inside[n] && *distance2 >= least * least;
-        any = any || kept[n];
-      }
-    }
-  }
-  if (!any)
-  {
-    throw std::invalid_argument(Text("The mask requires inside voxels at least ", margin,
-      " from every outside one and from the border of the image, got none."));
-  }
-  return VoxelMask(this->Dimensions, this->Lower, this->Spacing, std::move(kept));
+  VoxelSlab<std::uint8_t> inside = { this->Dimensions, 0, this->Dimensions[2], {} };
+  inside.Values.reserve(inside.PlaneSize() * this->Dimensions[2]);
+  this->ForEachVoxel(
+    [&](const std::array<int, 3>&, bool isInside) { inside.Values.push_back(isInside ? 1 : 0); });
+  Communicator one;
+  return Gather({ this->Dimensions, this->Lower, this->Spacing },
+    ErodeMask(std::move(inside), this->Spacing, margin, one), one);
 }
 
 LineInterval VoxelMask::ClipToImage(
@@ -376,7 +237,7 @@ void VoxelMask::Intersect(const Vector3& start, const Vector3& direction, double
   {
     const int q = static_cast<int>(std::min_element(next, next + 3) - next);
     const double after = std::clamp(next[q], t, image.End);
-    if (after > t && this->Inside[this->VoxelAt(voxel[0], voxel[1], voxel[2])])
+    if (after > t && this->IsInside(voxel[0], voxel[1], voxel[2]))
     {
       Append({ t, after }, intervals);
     }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ruc/Images/Fit/VoxelSlab.h"
+#include "ruc/Images/VoxelGrid.h"
 #include "ruc/Window/Window.h"
 
 #include <array>
@@ -18,8 +20,8 @@ struct LineInterval
 };
 
 /**
- * A region of any shape, made of the inside voxels of an image with axis-aligned voxels. Lengths
- * are in the unit of the pack.
+ * A region of any shape, made of the inside voxels of an image with axis-aligned voxels, of which
+ * it takes a bit each. Lengths are in the unit of the pack.
  */
 class VoxelMask
 {
@@ -32,12 +34,20 @@ public:
    * `inside`, every spacing is finite and > 0, `lower` is finite, and at least one voxel is inside.
    */
   VoxelMask(const std::array<int, 3>& dimensions, const Vector3& lower, const Vector3& spacing,
-    std::vector<std::uint8_t> inside);
+    const std::vector<std::uint8_t>& inside);
+
+  /**
+   * Makes the same mask on every rank, from planes of the image that are the ranks' own. Throws as
+   * the constructor, on every rank. Collective.
+   */
+  static VoxelMask Gather(
+    const VoxelGrid& grid, const VoxelSlab<std::uint8_t>& inside, Communicator& ranks);
 
   const std::array<int, 3>& GetDimensions() const { return this->Dimensions; }
   const Vector3& GetLower() const { return this->Lower; }
   const Vector3& GetSpacing() const { return this->Spacing; }
-  const std::vector<std::uint8_t>& GetInside() const { return this->Inside; }
+  /** Returns the places of the inside voxels, x running fastest, in rising order. */
+  std::vector<std::size_t> InsideVoxels() const;
 
   bool Contains(const Vector3& point) const;
 
@@ -47,13 +57,7 @@ public:
   /** The smallest box that holds the inside voxels, not periodic. */
   const Window& GetBounds() const { return this->Bounds; }
 
-  /**
-   * Returns the mask of those inside voxels all points of which are at least `margin` from every
-   * outside voxel and from the border of the image. This holds to within 1e-9 of the margin, so
-   * that a box shrinks by whole voxels where the margin is a multiple of the spacing. A margin of 0
-   * keeps every voxel. Throws std::invalid_argument for a margin that RequireMargin refuses, and
-   * when no voxel is left.
-   */
+  /** Returns the mask of the voxels that ErodeMask keeps. Throws as that does. */
   VoxelMask Eroded(double margin) const;
 
   /**
@@ -67,16 +71,24 @@ private:
   /** The part of such a line that lies in the image; Begin >= End where the line misses it. */
   LineInterval ClipToImage(const Vector3& start, const Vector3& direction, double length) const;
 
-  std::size_t VoxelAt(int x, int y, int z) const
+  VoxelMask() = default;
+  /** Sets the number and the bounds of the inside voxels; throws where there are none. */
+  void Enclose();
+
+  /** Calls use(voxel, whether it is inside) for all voxels, x running fastest. */
+  template <class Use>
+  void ForEachVoxel(Use&& use) const;
+
+  bool IsInside(int x, int y, int z) const
   {
-    return x +
-      static_cast<std::size_t>(this->Dimensions[0]) *
-      (y + static_cast<std::size_t>(this->Dimensions[1]) * z);
+    const std::size_t row = y + static_cast<std::size_t>(this->Dimensions[1]) * z;
+    const std::size_t bytes = (static_cast<std::size_t>(this->Dimensions[0]) + 7) / 8;
+    return (this->Bits[row * bytes + x / 8] >> x % 8 & 1) != 0;
   }
 
-  std::array<int, 3> Dimensions;
-  Vector3 Lower, Spacing;
-  std::vector<std::uint8_t> Inside;
+  std::array<int, 3> Dimensions{};
+  Vector3 Lower{}, Spacing{};
+  std::vector<std::uint8_t> Bits; // of rows along x, each of which begins with a byte
   Window Bounds;
   std::size_t NumberInside = 0;
 };

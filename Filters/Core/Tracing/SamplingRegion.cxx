@@ -129,13 +129,9 @@ SamplingRegion::SamplingRegion(const VoxelMask& mask, double margin)
   this->Bounds = this->Shape;
   this->EncloseBounds();
   this->Sparse = this->Mask->Volume() < SparseShare * this->Bounds.Volume();
-  const std::vector<std::uint8_t>& inside = this->Mask->GetInside();
-  for (std::size_t voxel = 0; this->Sparse && voxel < inside.size(); ++voxel)
+  if (this->Sparse)
   {
-    if (inside[voxel])
-    {
-      this->Voxels.push_back(voxel);
-    }
+    this->Voxels = this->Mask->InsideVoxels();
   }
 }
 

@@ -4,14 +4,12 @@
 // images are refused
 #include "Equality.h"
 #include "Refusals.h"
+#include "VoxelImages.h"
 
 #include "vtkRUCImageStatistics.h"
 
-#include "vtkCellData.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
-#include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 #include "vtkTable.h"
 
@@ -35,66 +33,13 @@ int LabelAt(int x, int y, int z)
   return (x + 2 * y + z / 3) % 5 == 0 ? 3 : 0;
 }
 
-struct Form
-{
-  const char* Name;
-  bool OnPoints;
-  bool Floats; // whole numbers as floats
-};
-const Form Forms[] = { { "integers on cells", false, false }, { "floats on points", true, true } };
+const Form Forms[] = { { "integers on cells", false, VTK_INT },
+  { "floats on points", true, VTK_FLOAT } };
 
-using Value = std::function<double(int x, int y, int z)>;
-
-// Voxels from `begin` to `end` along an axis; of points, pieces share none
 vtkSmartPointer<vtkImageData> MakeImage(
   const Form& form, int axis, int begin, int end, const Value& value, const char* name = "Phase")
 {
-  const auto image = vtkSmartPointer<vtkImageData>::New();
-  int first[3] = { 0, 0, 0 }, count[3] = { Size[0], Size[1], Size[2] };
-  first[axis] = begin;
-  count[axis] = end - begin;
-  if (count[axis] <= 0)
-  {
-    return image;
-  }
-  int extent[6];
-  for (int q = 0; q < 3; ++q)
-  {
-    extent[2 * q] = first[q];
-    extent[2 * q + 1] = first[q] + count[q] - (form.OnPoints ? 1 : 0);
-  }
-  image->SetExtent(extent);
-  image->SetSpacing(0.5, 0.5, 0.5);
-  image->SetOrigin(1.0, 2.0, 3.0);
-  vtkSmartPointer<vtkDataArray> labels;
-  if (form.Floats)
-  {
-    labels = vtkSmartPointer<vtkFloatArray>::New();
-  }
-  else
-  {
-    labels = vtkSmartPointer<vtkIntArray>::New();
-  }
-  labels->SetName(name);
-  for (int z = first[2]; z < first[2] + count[2]; ++z)
-  {
-    for (int y = first[1]; y < first[1] + count[1]; ++y)
-    {
-      for (int x = first[0]; x < first[0] + count[0]; ++x)
-      {
-        labels->InsertNextTuple1(value(x, y, z));
-      }
-    }
-  }
-  if (form.OnPoints)
-  {
-    image->GetPointData()->AddArray(labels);
-  }
-  else
-  {
-    image->GetCellData()->AddArray(labels);
-  }
-  return image;
+  return VoxelImage{ { Size[0], Size[1], Size[2] }, 0.5, name }.Make(form, axis, begin, end, value);
 }
 
 // The piece of a rank of an image that is cut across an axis, or lies on the last rank
@@ -344,27 +289,8 @@ TEST(ImageStatisticsRefusals, Images)
   const auto keep = [](vtkImageData*) {};
   RefusesImage(
     { "Image Statistics: Input requires an image with an array of one component", "got none" },
-    [](vtkImageData* image)
-    {
-      // Colours
-      image->GetCellData()->Initialize();
-      vtkNew<vtkIntArray> colours;
-      colours->SetName("Colour");
-      colours->SetNumberOfComponents(3);
-      colours->SetNumberOfTuples(image->GetNumberOfCells());
-      colours->Fill(1);
-      image->GetCellData()->AddArray(colours);
-    });
-  RefusesImage({ "axes along x, y and z, got one with a direction matrix" },
-    [](vtkImageData* image)
-    {
-      vtkNew<vtkMatrix3x3> turned;
-      turned->SetElement(0, 0, 0.0);
-      turned->SetElement(0, 1, 1.0);
-      turned->SetElement(1, 0, -1.0);
-      turned->SetElement(1, 1, 0.0);
-      image->SetDirectionMatrix(turned);
-    });
+    LeaveColours);
+  RefusesImage({ "axes along x, y and z, got one with a direction matrix" }, TurnAxes);
   RefusesImage({ "requires an image with voxels, got none" },
     [](vtkImageData* image) { image->Initialize(); });
   RefusesImage({ "takes at most 64 labels; the array has 4420." }, keep, nothing,

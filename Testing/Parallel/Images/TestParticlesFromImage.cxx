@@ -4,17 +4,15 @@
 // refused
 #include "Equality.h"
 #include "Refusals.h"
+#include "VoxelImages.h"
 
 #include "vtkRUCParticlesFromImage.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedShortArray.h"
 
 #include <cmath>
 #include <functional>
@@ -74,59 +72,14 @@ double LabelAt(int x, int y, int z)
   return 0.0;
 }
 
-using Value = std::function<double(int x, int y, int z)>;
+const Form Forms[] = { { "integers on cells", false, VTK_UNSIGNED_SHORT },
+  { "floats on points", true, VTK_FLOAT } };
 
-struct Form
-{
-  const char* Name;
-  bool OnPoints, Floats;
-};
-const Form Forms[] = { { "integers on cells", false, false }, { "floats on points", true, true } };
-
-// Voxels from `begin` to `end` along an axis; of points, pieces share none
 vtkSmartPointer<vtkImageData> MakeImage(
   const Form& form, int axis, int begin, int end, const Value& value, const char* name = "Grey")
 {
-  const auto image = vtkSmartPointer<vtkImageData>::New();
-  int first[3] = { 0, 0, 0 }, count[3] = { Size[0], Size[1], Size[2] };
-  first[axis] = begin;
-  count[axis] = end - begin;
-  if (count[axis] <= 0)
-  {
-    return image;
-  }
-  int extent[6];
-  for (int q = 0; q < 3; ++q)
-  {
-    extent[2 * q] = first[q];
-    extent[2 * q + 1] = first[q] + count[q] - (form.OnPoints ? 1 : 0);
-  }
-  image->SetExtent(extent);
-  image->SetSpacing(VoxelEdge, VoxelEdge, VoxelEdge);
-  image->SetOrigin(Origin[0], Origin[1], Origin[2]);
-  vtkSmartPointer<vtkDataArray> values;
-  if (form.Floats)
-  {
-    values = vtkSmartPointer<vtkFloatArray>::New();
-  }
-  else
-  {
-    values = vtkSmartPointer<vtkUnsignedShortArray>::New();
-  }
-  values->SetName(name);
-  for (int z = first[2]; z < first[2] + count[2]; ++z)
-  {
-    for (int y = first[1]; y < first[1] + count[1]; ++y)
-    {
-      for (int x = first[0]; x < first[0] + count[0]; ++x)
-      {
-        values->InsertNextTuple1(value(x, y, z));
-      }
-    }
-  }
-  image->GetAttributes(form.OnPoints ? vtkDataObject::POINT : vtkDataObject::CELL)
-    ->AddArray(values);
-  return image;
+  return VoxelImage{ { Size[0], Size[1], Size[2] }, VoxelEdge, name }.Make(
+    form, axis, begin, end, value);
 }
 
 vtkSmartPointer<vtkImageData> Piece(
@@ -466,26 +419,8 @@ TEST(ParticlesFromImage, TellsWhatARunTakes)
 TEST(ParticlesFromImageRefusals, Images)
 {
   Refuses({ "Particles From Image: Input requires an image with an array of one component" },
-    [](vtkImageData* image)
-    {
-      image->GetCellData()->Initialize();
-      vtkNew<vtkFloatArray> colours;
-      colours->SetName("Colour");
-      colours->SetNumberOfComponents(3);
-      colours->SetNumberOfTuples(image->GetNumberOfCells());
-      colours->Fill(1);
-      image->GetCellData()->AddArray(colours);
-    });
-  Refuses({ "axes along x, y and z, got one with a direction matrix" },
-    [](vtkImageData* image)
-    {
-      vtkNew<vtkMatrix3x3> turned;
-      turned->SetElement(0, 0, 0.0);
-      turned->SetElement(0, 1, 1.0);
-      turned->SetElement(1, 0, -1.0);
-      turned->SetElement(1, 1, 0.0);
-      image->SetDirectionMatrix(turned);
-    });
+    LeaveColours);
+  Refuses({ "axes along x, y and z, got one with a direction matrix" }, TurnAxes);
   Refuses({ "requires an image with voxels, got none" },
     [](vtkImageData* image) { image->Initialize(); });
   Refuses({ "Input requires voxels whose edges differ by a tenth at most", "got 0.5 x 0.5 x 0.7" },

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Images/VoxelMask.h"
 
-#include "Oracles.h"
+#include "Images/Fit/GreyScenes.h"
+#include "ruc/Images/MaskErosion.h"
 
 namespace
 {
@@ -20,10 +21,15 @@ std::vector<std::uint8_t> RandomVoxels(std::size_t count, double share, std::uin
   return inside;
 }
 
-std::size_t NumberInside(const VoxelMask& mask)
+std::vector<std::uint8_t> InsideOf(const VoxelMask& mask)
 {
-  return std::count_if(
-    mask.GetInside().begin(), mask.GetInside().end(), [](std::uint8_t v) { return v != 0; });
+  const std::array<int, 3>& n = mask.GetDimensions();
+  std::vector<std::uint8_t> inside(std::size_t(n[0]) * n[1] * n[2], 0);
+  for (std::size_t voxel : mask.InsideVoxels())
+  {
+    inside[voxel] = 1;
+  }
+  return inside;
 }
 }
 
@@ -66,8 +72,8 @@ TEST(VoxelMask, ABoxShrinksByWholeVoxels)
     const VoxelMask eroded = VoxelMask(
       { 7, 8, 9 }, { 0, 0, 0 }, { 0.1, 0.1, 0.1 }, std::vector<std::uint8_t>(7 * 8 * 9, 1))
                                .Eroded(0.1 * layers);
-    EXPECT_EQ(
-      NumberInside(eroded), std::size_t((7 - 2 * layers) * (8 - 2 * layers) * (9 - 2 * layers)));
+    EXPECT_EQ(eroded.InsideVoxels().size(),
+      std::size_t((7 - 2 * layers) * (8 - 2 * layers) * (9 - 2 * layers)));
     for (int q = 0; q < 3; ++q)
     {
       EXPECT_NEAR(eroded.GetBounds().Origin[q], 0.1 * layers, 1e-12);
@@ -83,7 +89,8 @@ TEST(VoxelMask, ErosionIsThatOfBruteForce)
   for (double margin : { 0.3, 0.7, 1.0, 1.3, 1.9 })
   {
     // All voxels of the image and of a layer around it, as boxes
-    std::vector<std::uint8_t> expected = mask.GetInside();
+    const std::vector<std::uint8_t> inside = InsideOf(mask);
+    std::vector<std::uint8_t> expected = inside;
     for (std::size_t i = 0; i < expected.size(); ++i)
     {
       const int at[3] = { int(i % n[0]), int(i / n[0] % n[1]), int(i / n[0] / n[1]) };
@@ -94,7 +101,7 @@ TEST(VoxelMask, ErosionIsThatOfBruteForce)
           for (int x = -1; x <= n[0]; ++x)
           {
             const bool image = x >= 0 && y >= 0 && z >= 0 && x < n[0] && y < n[1] && z < n[2];
-            if (image && mask.GetInside()[x + n[0] * (y + n[1] * z)])
+            if (image && inside[x + n[0] * (y + n[1] * z)])
             {
               continue;
             }
@@ -113,8 +120,42 @@ TEST(VoxelMask, ErosionIsThatOfBruteForce)
         }
       }
     }
-    EXPECT_EQ(mask.Eroded(margin).GetInside(), expected) << margin;
+    EXPECT_EQ(InsideOf(mask.Eroded(margin)), expected) << margin;
   }
+}
+
+TEST(VoxelMask, IsTheSameFromPlanesOnAnyNumberOfRanks)
+{
+  // Rows that end within a byte, planes that end within a rank's halo, and ranks without any
+  const ruc::VoxelGrid grid = { { 19, 13, 11 }, { 1, 2, 3 }, { 1.0, 1.5, 0.7 } };
+  const std::vector<std::uint8_t> inside = RandomVoxels(19 * 13 * 11, 0.995, 5);
+  const VoxelMask whole(grid.Dimensions, grid.Lower, grid.Spacing, inside);
+  EXPECT_EQ(InsideOf(whole), inside);
+  for (double margin : { 0.0, 0.7, 1.3, 2.1 })
+  {
+    const VoxelMask eroded = whole.Eroded(margin);
+    for (int size : { 2, 3, 4, 12 })
+    {
+      oracle::ThreadRanks::Run(size,
+        [&](ruc::Communicator& ranks)
+        {
+          const auto slab = ruc::ErodeMask(
+            oracle::SlabOf(inside, grid.Dimensions, ranks), grid.Spacing, margin, ranks);
+          const VoxelMask together = VoxelMask::Gather(grid, slab, ranks);
+          EXPECT_EQ(together.InsideVoxels(), eroded.InsideVoxels()) << margin << " " << size;
+          EXPECT_EQ(together.GetBounds().Origin, eroded.GetBounds().Origin);
+          EXPECT_EQ(together.GetBounds().Size, eroded.GetBounds().Size);
+          EXPECT_EQ(together.Volume(), eroded.Volume());
+        });
+    }
+  }
+  oracle::ThreadRanks::Run(2,
+    [&](ruc::Communicator& ranks)
+    {
+      EXPECT_SAYS(
+        ruc::ErodeMask(oracle::SlabOf(inside, grid.Dimensions, ranks), grid.Spacing, 40.0, ranks),
+        "at least 40 from every outside one");
+    });
 }
 
 TEST(VoxelMask, LinesAreCutWherePointsLeaveIt)

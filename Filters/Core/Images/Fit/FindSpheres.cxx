@@ -253,13 +253,10 @@ FoundSpheres FindSpheres(VoxelSlab<float>& image, const SphereSearch& search,
 
 Estimate EstimateSpheres(const std::array<int, 3>& dimensions, int ranks)
 {
-  constexpr double secondsOfVoxel = 8e-7, bytesOfVoxel = 16.0, halo = 24.0;
-  const double plane = 1.0 * dimensions[0] * dimensions[1];
-  const Slabs planes = { dimensions[2], ranks };
-  const double held = std::min(static_cast<double>(dimensions[2]),
-    static_cast<double>(planes.Largest()) + (ranks > 1 ? 2.0 * halo : 0.0));
-  return { secondsOfVoxel * plane * dimensions[2], bytesOfVoxel * plane * held / BytesOfMegabyte,
-    0.0 };
+  constexpr double secondsOfVoxel = 8e-7, bytesOfVoxel = 16.0;
+  constexpr int halo = 24;
+  return { secondsOfVoxel * MostVoxels(dimensions, 0, 1),
+    bytesOfVoxel * MostVoxels(dimensions, halo, ranks) / BytesOfMegabyte, 0.0 };
 }
 
 VoxelSlab<float> ResidualOf(VoxelSlab<float> image, const FoundSpheres& found, Communicator& ranks)

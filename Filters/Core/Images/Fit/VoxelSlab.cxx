@@ -56,6 +56,14 @@ void CopyInto(const GreyBlock& from, VoxelSlab<float>& slab)
 }
 }
 
+double MostVoxels(const std::array<int, 3>& dimensions, int halo, int ranks)
+{
+  const Slabs planes = { dimensions[2], ranks };
+  const std::int64_t held = planes.Largest() + (ranks > 1 ? 2 * halo : 0);
+  return 1.0 * dimensions[0] * dimensions[1] *
+    static_cast<double>(std::min<std::int64_t>(dimensions[2], held));
+}
+
 VoxelSlab<float> SpreadGrey(const VoxelBlock& block, std::vector<float> values,
   const std::array<int, 3>& dimensions, Communicator& ranks)
 {

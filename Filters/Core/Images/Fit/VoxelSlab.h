@@ -138,6 +138,9 @@ std::vector<Value> TakeBlock(VoxelSlab<Value> slab, const VoxelBlock& wanted, Co
   return values;
 }
 
+/** The most voxels that a rank holds of an image, with a halo. */
+double MostVoxels(const std::array<int, 3>& dimensions, int halo, int ranks);
+
 /**
  * Returns this rank's own planes of an image of which the ranks have blocks that begin at voxel
  * 0 0 0. Blocks may overlap, as those of points do; the values in the overlap are the same in both.
