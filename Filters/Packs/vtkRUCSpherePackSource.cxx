@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRUCSpherePackSource.h"
 
+#include "CheckpointFile.h"
 #include "OutputSummary.h"
 #include "PackData.h"
 #include "PackEstimate.h"
@@ -11,7 +12,7 @@
 #include "RegularFile.h"
 #include "ruc/Base/Require.h"
 #include "ruc/Formats/SizeTable.h"
-#include "ruc/Packing/DensePack.h"
+#include "ruc/Packing/DensePackCheckpoint.h"
 #include "ruc/Packing/PackOrder.h"
 #include "ruc/Packing/SphereSizes.h"
 
@@ -151,6 +152,8 @@ void vtkRUCSpherePackSource::CheckProperties() const
     "a value from 0 to 2", this->Protocol);
   ruc::Require(this->Exchange >= SWITCH_AUTOMATIC && this->Exchange <= SWITCH_ON, "Exchange",
     "a value from 0 to 2", this->Exchange);
+  ruc::Require(this->CheckpointInterval >= 0.0, "CheckpointInterval", "a number >= 0",
+    this->CheckpointInterval);
 }
 
 const ruc::SizeTable& vtkRUCSpherePackSource::ReadSizes()
@@ -241,22 +244,73 @@ void vtkRUCSpherePackSource::Execute(
     });
 }
 
-void vtkRUCSpherePackSource::Make(vtkInformationVector* outputs, ProgressReport& report)
+ruc::DensePack vtkRUCSpherePackSource::MakeSpheres(
+  const ruc::DensePackSettings& settings, ProgressReport& report)
 {
-  const ruc::SphereSizes::Spheres spheres = this->MakeSizes().Make(this->NumberOfSpheres);
-  const ruc::DensePackSettings settings = this->MakeSettings(spheres.Radius);
-  ruc::DensePack made = ruc::MakeDensePack(settings,
+  ::CheckpointFile file(this->CheckpointFile, this->CheckpointInterval);
+  const std::string bytes = file.ReadHere();
+  std::optional<ruc::DensePackState> last;
+  if (!bytes.empty())
+  {
+    try
+    {
+      last = ruc::ReadDensePackCheckpoint(bytes, settings);
+    }
+    catch (const std::invalid_argument& fault)
+    {
+      throw std::invalid_argument(
+        ruc::Text("CheckpointFile '", this->CheckpointFile, "': ", fault.what()));
+    }
+  }
+  bool warned = false;
+  const auto write = [&]()
+  {
+    const std::string error = file.Write(ruc::WriteCheckpoint(*last, settings));
+    if (!error.empty() && !warned)
+    {
+      warned = true;
+      vtkWarningMacro(<< "checkpoint not written, the last good one remains: " << error);
+    }
+  };
+  const std::optional<ruc::DensePackState> resume = last;
+  ruc::DensePack made = ruc::MakeDensePack(
+    settings,
     [&](const ruc::GrowthStep& step, double done)
     {
       return report.Update(done,
         step.Rate > 0.0 ? ruc::Text("fraction ", step.Fraction, " at rate ", step.Rate)
                         : ruc::Text("fraction ", step.Fraction));
+    },
+    resume ? &*resume : nullptr,
+    [&](const ruc::DensePackState& state)
+    {
+      if (file.IsWanted())
+      {
+        last = state;
+        if (file.IsDue())
+        {
+          write();
+        }
+      }
     });
+  if (made.Stopped && last && file.IsWanted())
+  {
+    write();
+  }
+  return made;
+}
+
+void vtkRUCSpherePackSource::Make(vtkInformationVector* outputs, ProgressReport& report)
+{
+  const ruc::SphereSizes::Spheres spheres = this->MakeSizes().Make(this->NumberOfSpheres);
+  const ruc::DensePackSettings settings = this->MakeSettings(spheres.Radius);
+  ruc::DensePack made = this->MakeSpheres(settings, report);
   RequireWhole(made, this->Fraction);
   if (made.Stopped)
   {
     vtkWarningMacro(<< "stopped at a fraction of " << made.Fraction << ", below Fraction "
-                    << this->Fraction << ": the box is larger.");
+                    << this->Fraction << ": the box is larger."
+                    << (this->CheckpointFile.empty() ? "" : " The next run goes on from there."));
   }
   const ruc::PackOrder order = ruc::MeasureOrder(made.Pack, made.Box, ContactTolerance);
   made.Pack.Mode = spheres.Mode;
@@ -326,5 +380,7 @@ void vtkRUCSpherePackSource::PrintSelf(ostream& os, vtkIndent indent)
   print("Rate", this->Rate);
   print("Exchange", this->Exchange);
   print("EquilibrationTime", this->EquilibrationTime);
+  print("CheckpointFile", this->CheckpointFile);
+  print("CheckpointInterval", this->CheckpointInterval);
   print("LengthUnit", this->LengthUnit);
 }

@@ -169,6 +169,20 @@ public:
   vtkGetMacro(EquilibrationTime, double);
   ///@}
   ///@{
+  /**
+   * The file that holds the state of a pack whose spheres collide, where rank 0 runs. It is written
+   * every CheckpointInterval seconds and where the growth is stopped; if it exists, the growth goes
+   * on from it, to the same pack, bit by bit. Default: empty, for none.
+   */
+  vtkSetMacro(CheckpointFile, std::string);
+  vtkGetMacro(CheckpointFile, std::string);
+  ///@}
+  ///@{
+  /** The seconds between two states in the CheckpointFile, >= 0. Default: 60. */
+  vtkSetMacro(CheckpointInterval, double);
+  vtkGetMacro(CheckpointInterval, double);
+  ///@}
+  ///@{
   /** The unit of length, a text that the data carries along. Default: empty. */
   vtkSetMacro(LengthUnit, std::string);
   vtkGetMacro(LengthUnit, std::string);
@@ -192,6 +206,8 @@ private:
   const ruc::SizeTable& ReadSizes();
   // With the radii of so many spheres
   ruc::DensePackSettings MakeSettings(const std::vector<double>& radii) const;
+  // Goes on from the checkpoint, if there is one, and writes it
+  ruc::DensePack MakeSpheres(const ruc::DensePackSettings& settings, ProgressReport& report);
   // Fills the outputs of rank 0
   void Make(vtkInformationVector* outputs, ProgressReport& report);
   void AddSummary(
@@ -213,6 +229,8 @@ private:
   double Rate = 0.0;
   int Exchange = SWITCH_AUTOMATIC;
   double EquilibrationTime = 0.0;
+  std::string CheckpointFile;
+  double CheckpointInterval = 60.0;
   std::string LengthUnit;
   // What was read last, for estimates ask often
   struct SizeFile;

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Searches one after the other, for checkpoints.py, which kills them and starts them again.
+"""Searches, and packs of Sphere Pack Source, one after the other, for checkpoints.py, which kills them and starts them again.
 
     pvbatch checkpoint_search.py SEARCHES RESULTS MESSAGES
 
@@ -24,7 +24,20 @@ pack_file = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../Exam
 reader = SpherePackReader(FileName=pack_file, BoxSize=[1445.372, 1287.892, 789.106])
 modes = ParticleModes(Input=reader, NumberOfModes=4)
 results = []
-for settings in json.loads(sys.argv[1]):
+
+
+def make_pack(settings):
+    """The places of a pack, and its table of growth."""
+    source = SpherePackSource(**settings)
+    pack, growth = fetch(source), fetch(source, 1)
+    values = [x for i in range(pack.GetNumberOfPoints()) for x in pack.GetPoint(i)]
+    values += [growth.GetColumn(j).GetValue(i) for j in range(growth.GetNumberOfColumns()) for i in range(growth.GetNumberOfRows())]
+    Delete(source)
+    return [x.hex() for x in values]
+
+
+def search_cells(settings):
+    """The places of the cells that a search found, and its tables."""
     search = UnitCellReconstruction(Input=modes, MaximumLag=100, NumberOfLags=40, NumberOfParticles=400, **settings)
     cells = leaves(fetch(search, 3))
     result = []
@@ -37,6 +50,11 @@ for settings in json.loads(sys.argv[1]):
             result += [table.GetColumn(j).GetValue(i).hex() for j in range(table.GetNumberOfColumns())
                        for i in range(table.GetNumberOfRows()) if isinstance(table.GetColumn(j).GetValue(i), float)]
     Delete(search)
+    return result
+
+
+for settings in json.loads(sys.argv[1]):
+    result = make_pack(settings) if 'NumberOfSpheres' in settings else search_cells(settings)
     results.append(' '.join(result) or None)
     os.write(messages, b'END\n')  # ParaView 5.13 keeps what is printed until its end
 with open(sys.argv[2], 'w') as file:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Searches that are killed at any moment go on from their checkpoint to the same end, bit by bit, on any number of ranks; and what a full
+"""Searches and packs that are killed at any moment go on from their checkpoint to the same end, bit by bit, on any number of ranks; and what a full
 disk, a read-only folder and a file that is no checkpoint do.
 
     python3 checkpoints.py MPIEXEC PVBATCH FOLDER
@@ -107,6 +107,19 @@ def test_kills():
             require(result == expected[label], what)
     require(killed >= 8, f'searches are long enough to be killed 10 times, were {killed} times')
     print('killed and resumed', flush=True)
+
+
+def test_packs():
+    """A growing pack that is killed goes on to the same pack, and refuses the state of another."""
+    settings = {'NumberOfSpheres': 1500, 'Fraction': 0.64}
+    name = os.path.join(FOLDER, 'pack.state')
+    writing = dict(settings, CheckpointFile=name, CheckpointInterval=0)
+    killed = sum(run_and_kill(writing, 1 + n % 2) for n in range(3))
+    require(killed >= 2, f'packs grow long enough to be killed 3 times, were {killed} times')
+    (_, expected), (_, resumed), (output, other) = run(settings, writing, dict(writing, Seed=2))
+    require(expected and resumed == expected, 'a pack ends as if it had never been killed')
+    require(other is None and 'other settings' in output, f'another pack is refused, got {output[-300:]}')
+    print('packs killed and resumed', flush=True)
 
 
 def test_cells():
@@ -246,6 +259,7 @@ if '--own-mounts' not in sys.argv:
         if subprocess.run(unshare + ['true'], capture_output=True).returncode == 0:
             sys.exit(subprocess.run(unshare + inside).returncode)
 test_kills()
+test_packs()
 test_cells()
 test_stopped()
 test_refused()

@@ -44,21 +44,54 @@ class Packer
 public:
   using Progress = std::function<bool(const GrowthStep&, double)>;
 
-  Packer(const DensePackSettings& settings, const Progress& carryOn)
+  using Saving = std::function<void(const DensePackState&)>;
+
+  Packer(const DensePackSettings& settings, const Progress& carryOn, const Saving& save)
     : Settings(settings)
     , CarryOn(carryOn)
+    , Save(save)
   {
     this->Result.MaximumFraction = MaximumRandomFraction(settings.Radii);
     this->Result.Box = this->MakeBox();
     this->Check();
   }
 
-  DensePack Run()
+  DensePack Run(const DensePackState* resume)
   {
     const double share = this->Settings.Fraction / this->Result.MaximumFraction;
     const bool soft = this->Settings.Protocol == PackingProtocol::Soft ||
       (this->Settings.Protocol == PackingProtocol::Automatic && share <= SoftShare);
     this->Result.IsSoft = soft;
+    if (resume)
+    {
+      this->Reached = resume->Fraction;
+      this->Result.History = resume->History;
+    }
+    else if (!this->Start(soft))
+    {
+      return std::move(this->Result);
+    }
+    if (resume && resume->Grows)
+    {
+      this->Grow(resume->Rate, resume);
+    }
+    else if (!soft && !resume)
+    {
+      this->Grow(this->Settings.Rate > 0.0 ? this->Settings.Rate : RateFor(share), nullptr);
+    }
+    if (!this->Result.Jammed && !this->Result.Stopped && this->Settings.Equilibration > 0.0)
+    {
+      this->Equilibrate(resume && !resume->Grows ? resume : nullptr);
+    }
+    this->Finish();
+    return std::move(this->Result);
+  }
+
+private:
+  // Makes the pack from which spheres grow, or the whole of a soft one; returns whether there is
+  // one
+  bool Start(bool soft)
+  {
     this->Reached = soft ? this->Settings.Fraction
                          : StartFor(this->Settings.Fraction, this->Result.MaximumFraction);
     bool free = this->Begin();
@@ -70,21 +103,10 @@ public:
     {
       this->Result.Jammed = !this->Result.Stopped;
       this->Result.Pack = {};
-      return std::move(this->Result);
     }
-    if (!soft)
-    {
-      this->Grow(this->Settings.Rate > 0.0 ? this->Settings.Rate : RateFor(share));
-    }
-    if (!this->Result.Jammed && !this->Result.Stopped && this->Settings.Equilibration > 0.0)
-    {
-      this->Equilibrate();
-    }
-    this->Finish();
-    return std::move(this->Result);
+    return free;
   }
 
-private:
   // Returns whether there is a pack of the fraction Reached
   bool Begin()
   {
@@ -180,24 +202,41 @@ private:
     return !this->Result.Stopped;
   }
 
-  void Grow(double rate)
+  // Tells a step between collisions, and saves what can be saved then. Returns whether to go on.
+  bool TellRound(
+    const HardSpheres& spheres, const GrowthStep& step, double done, bool grows, double before)
   {
-    double collisions = 0.0;
+    const bool goesOn = this->Tell(step, done);
+    if (this->Save && spheres.IsBetweenRounds())
+    {
+      this->Save(
+        { grows, step.Rate, this->Reached, before, this->Result.History, spheres.GetState() });
+    }
+    return goesOn;
+  }
+
+  void Grow(double rate, const DensePackState* resume)
+  {
+    const HardSpheres::Settings motion = { this->Settings.Seed, this->Settings.Exchange };
+    double collisions = resume ? resume->Collisions : 0.0;
     while (true)
     {
       SpherePack& pack = this->Result.Pack;
       const double wanted = this->Settings.Fraction, from = this->Reached;
       const double growth = std::cbrt(wanted / from) * (1.0 + HardSpheres::Spare);
-      HardSpheres spheres(
-        pack, this->Result.Box, growth, { this->Settings.Seed, this->Settings.Exchange });
+      HardSpheres spheres = resume ? HardSpheres(resume->Spheres, this->Result.Box, motion)
+                                   : HardSpheres(pack, this->Result.Box, growth, motion);
       const auto fraction = [&]() { return from * std::pow(spheres.GetGrowth(), 3); };
-      const HardSpheres::End end = spheres.Grow(growth, rate,
-        [&]()
-        {
-          return this->Tell({ rate, fraction(), spheres.ReducedPressure(),
-                              collisions + spheres.CollisionsOfSphere() },
-            std::clamp((fraction() - from) / (wanted - from), 0.0, 1.0));
-        });
+      const auto carryOn = [&]()
+      {
+        const GrowthStep step = { rate, fraction(), spheres.ReducedPressure(),
+          collisions + spheres.CollisionsOfSphere() };
+        const double done = std::clamp((fraction() - from) / (wanted - from), 0.0, 1.0);
+        return this->TellRound(spheres, step, done, true, collisions);
+      };
+      const HardSpheres::End end =
+        resume ? spheres.Resume(carryOn) : spheres.Grow(growth, rate, carryOn);
+      resume = nullptr;
       this->Reached = fraction();
       collisions += spheres.CollisionsOfSphere();
       this->History(rate, spheres, collisions);
@@ -222,19 +261,28 @@ private:
     this->Result.History.push_back({ rate, this->Reached, spheres.ReducedPressure(), collisions });
   }
 
-  void Equilibrate()
+  void Equilibrate(const DensePackState* resume)
   {
-    HardSpheres spheres(this->Result.Pack, this->Result.Box, 1.0,
-      { this->Settings.Seed + 1, this->Settings.Exchange });
-    const double before =
-      this->Result.History.empty() ? 0.0 : this->Result.History.back().Collisions;
-    spheres.Equilibrate(this->Settings.Equilibration,
-      [&]()
-      {
-        return this->Tell(
-          { 0.0, this->Reached, spheres.ReducedPressure(), before + spheres.CollisionsOfSphere() },
-          1.0);
-      });
+    const HardSpheres::Settings motion = { this->Settings.Seed + 1, this->Settings.Exchange };
+    HardSpheres spheres = resume ? HardSpheres(resume->Spheres, this->Result.Box, motion)
+                                 : HardSpheres(this->Result.Pack, this->Result.Box, 1.0, motion);
+    const double before = resume     ? resume->Collisions
+      : this->Result.History.empty() ? 0.0
+                                     : this->Result.History.back().Collisions;
+    const auto carryOn = [&]()
+    {
+      const GrowthStep step = { 0.0, this->Reached, spheres.ReducedPressure(),
+        before + spheres.CollisionsOfSphere() };
+      return this->TellRound(spheres, step, 1.0, false, before);
+    };
+    if (resume)
+    {
+      spheres.Resume(carryOn);
+    }
+    else
+    {
+      spheres.Equilibrate(this->Settings.Equilibration, carryOn);
+    }
     this->History(0.0, spheres, before + spheres.CollisionsOfSphere());
     this->Result.Pack = spheres.GetPack();
   }
@@ -283,15 +331,17 @@ private:
 
   const DensePackSettings& Settings;
   const Progress& CarryOn;
+  const Saving& Save;
   double Reached = 0.0; // fraction
   DensePack Result;
 };
 }
 
-DensePack MakeDensePack(
-  const DensePackSettings& settings, const std::function<bool(const GrowthStep&, double)>& carryOn)
+DensePack MakeDensePack(const DensePackSettings& settings,
+  const std::function<bool(const GrowthStep&, double)>& carryOn, const DensePackState* resume,
+  const std::function<void(const DensePackState&)>& save)
 {
-  return Packer(settings, carryOn).Run();
+  return Packer(settings, carryOn, save).Run(resume);
 }
 
 namespace

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "ruc/Base/Estimate.h"
+#include "ruc/Packing/HardSphereState.h"
 #include "ruc/Particles/SpherePack.h"
 
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace ruc
@@ -42,6 +44,13 @@ struct DensePackSettings
   bool Exchange = false;
   /** Collisions of each sphere at the end, without growth. */
   double Equilibration = 0.0;
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Radii, self.Fraction, self.Proportions, self.Periodic, self.Seed,
+      self.Protocol, self.Rate, self.Exchange, self.Equilibration);
+  }
 };
 
 /** One line of the history of a pack. */
@@ -51,6 +60,30 @@ struct GrowthStep
   double Fraction;
   double ReducedPressure; // HardSpheres::ReducedPressure
   double Collisions;      // of a sphere since the growth began
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Rate, self.Fraction, self.ReducedPressure, self.Collisions);
+  }
+};
+
+/** The state of a pack whose spheres collide, between two rounds of collisions. */
+struct DensePackState
+{
+  bool Grows = false; // or equilibrates
+  double Rate = 0.0;  // of the growth
+  /** The fraction, and the collisions of a sphere, when this growth or equilibration began. */
+  double Fraction = 0.0, Collisions = 0.0;
+  std::vector<GrowthStep> History;
+  HardSphereState Spheres;
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(
+      self.Grows, self.Rate, self.Fraction, self.Collisions, self.History, self.Spheres);
+  }
 };
 
 struct DensePack
@@ -78,9 +111,14 @@ struct DensePack
  * Throws std::invalid_argument for settings that cannot be, among them a fraction more than 0.015
  * above MaximumRandomFraction. One thread; the result depends on the settings alone. `carryOn` is
  * told the last step and what is done, from 0 to 1.
+ *
+ * `save`, if given, receives the state after every round of 50 collisions of a sphere. `resume` is
+ * such a state to go on from, to the same end, bit by bit.
  */
-DensePack MakeDensePack(
-  const DensePackSettings& settings, const std::function<bool(const GrowthStep&, double)>& carryOn);
+DensePack MakeDensePack(const DensePackSettings& settings,
+  const std::function<bool(const GrowthStep&, double)>& carryOn,
+  const DensePackState* resume = nullptr,
+  const std::function<void(const DensePackState&)>& save = {});
 
 /**
  * What MakeDensePack takes for `spheres` spheres, of whose sizes `settings.Radii` are a sample. An

@@ -295,61 +295,7 @@ void HardSpheres::Bounce(int i, int face)
   ++this->Count[i];
 }
 
-// Whether a sphere with this radius would fit where sphere i is
-bool HardSpheres::MayTake(int i, double radius, int except) const
-{
-  const Vector3& place = this->Spheres[i].Place;
-  for (int q = 0; q < 3; ++q)
-  {
-    const double low = place[q] - this->Box.Origin[q];
-    if (!this->Box.Periodic[q] && std::min(low, this->Box.Size[q] - low) < radius)
-    {
-      return false;
-    }
-  }
-  return std::all_of(this->Near[i].begin(), this->Near[i].end(),
-    [&](int k)
-    {
-      const Vector3 d = this->Between(place, this->Spheres[k].Place);
-      const double contact = radius + this->RadiusAt(this->Spheres[k], this->Time);
-      return k == except || Dot(d, d) >= contact * contact * (1.0 + 1e-14);
-    });
-}
-
-// The lists stay valid, for what a radius gains is taken from the room in them
-void HardSpheres::ExchangeRadii()
-{
-  const int spheres = static_cast<int>(this->Spheres.size());
-  RandomSequence random(this->Chosen.Seed, RandomStream::Exchange, this->Exchanges++);
-  for (int tries = 4 * spheres; tries > 0; --tries)
-  {
-    int i = random.NextIndex(spheres), j = random.NextIndex(spheres);
-    if (this->Spheres[i].Radius > this->Spheres[j].Radius)
-    {
-      std::swap(i, j);
-    }
-    Sphere &small = this->Spheres[i], &large = this->Spheres[j];
-    const double gain = large.Final - small.Final;
-    if (i == j || !(gain > 0.0) || gain > 0.5 * this->Room[i] ||
-      !this->MayTake(i, this->RadiusAt(large, this->Time), j))
-    {
-      continue;
-    }
-    // Where the two are near each other, both change
-    const Vector3 d = this->Between(small.Place, large.Place);
-    const double contact = this->RadiusAt(small, this->Time) + this->RadiusAt(large, this->Time);
-    if (Dot(d, d) < contact * contact)
-    {
-      continue;
-    }
-    std::swap(small.Radius, large.Radius);
-    std::swap(small.Growth, large.Growth);
-    std::swap(small.Final, large.Final);
-    this->Room[i] -= gain;
-  }
-}
-
-bool HardSpheres::IsJammed(double end, double before) const
+bool HardSpheres::IsJammed() const
 {
   if (this->GrowthRate == 0.0)
   {
@@ -357,54 +303,52 @@ bool HardSpheres::IsJammed(double end, double before) const
   }
   // Near jamming P V / (N k T) is the inverse of the growth that is left, so that what is ten times
   // that away is out of reach
-  const double grown = this->GrowthRate * (this->Time - before);
-  const double wanted = this->GrowthRate * (end - this->Time);
+  const double grown = this->GrowthRate * (this->Time - this->Course.Before);
+  const double wanted = this->GrowthRate * (this->Course.End - this->Time);
   return grown < 1e-7 || (this->Pressure > 1e4 && wanted * this->Pressure > 10.0);
 }
 
-HardSpheres::End HardSpheres::Run(
-  double end, double collisions, const std::function<bool()>& carryOn)
+void HardSpheres::Begin(double end, double collisions)
+{
+  // Two take part in each
+  const double last =
+    this->Collisions + collisions * static_cast<double>(this->Spheres.size()) / 2.0;
+  this->Course = { end, last, this->Time, this->Collisions };
+  this->Virial = 0.0;
+  this->PredictAll();
+}
+
+// Returns whether there is another
+bool HardSpheres::BeginRound()
+{
+  if (this->IsJammed())
+  {
+    return false;
+  }
+  this->Course.Before = this->Time;
+  this->SetTemperature();
+  this->PredictAll();
+  return true;
+}
+
+HardSpheres::End HardSpheres::Run(const std::function<bool()>& carryOn)
 {
   const auto spheres = static_cast<std::int64_t>(this->Spheres.size());
-  // Two take part in each
-  const double last = this->Collisions + collisions * spheres / 2.0;
   std::int64_t round = this->Collisions + CollisionsOfRound * spheres;
-  std::int64_t exchange = this->Collisions;
-  double before = this->Time;
   std::int64_t events = 0;
-  this->PredictAll();
   while (true)
   {
     const int i = this->Queue.Earliest();
     const double time = this->Queue.TimeOf(i);
-    if (time >= end)
+    if (time >= this->Course.End)
     {
-      this->MoveAllTo(end);
+      this->MoveAllTo(this->Course.End);
       return End::Done;
     }
-    this->Time = time;
-    this->MoveTo(i, time);
-    const int partner = this->Partner[i];
-    if (partner == LeavesPlace)
+    this->HandleEvent(i, time);
+    if (this->Chosen.Exchange && this->Collisions >= this->Course.NextExchange)
     {
-      this->Unlist(i);
-      this->Place(i);
-      this->List(i);
-    }
-    else if (partner <= HitsWall)
-    {
-      this->Bounce(i, HitsWall - partner);
-    }
-    else if (this->Count[partner] == this->Stamp[i])
-    {
-      this->MoveTo(partner, time);
-      this->Collide(i, partner);
-      this->PredictAgain(partner);
-    }
-    this->PredictAgain(i);
-    if (this->Chosen.Exchange && this->Collisions >= exchange)
-    {
-      exchange = this->Collisions + CollisionsOfExchange * spheres;
+      this->Course.NextExchange = this->Collisions + CollisionsOfExchange * spheres;
       this->MoveAllTo(time);
       this->ExchangeRadii();
       this->PredictAll();
@@ -418,29 +362,54 @@ HardSpheres::End HardSpheres::Run(
         return End::Stopped;
       }
     }
-    if (this->Collisions >= round || this->Collisions >= last)
+    if (this->Collisions >= round || this->Collisions >= this->Course.Last)
     {
       events = 0;
       round = this->Collisions + CollisionsOfRound * spheres;
       this->MoveAllTo(time);
-      this->FindPressure(time - before);
-      if (this->Collisions >= last)
+      this->FindPressure(time - this->Course.Before);
+      if (this->Collisions >= this->Course.Last)
       {
         return End::Done;
       }
-      if (!carryOn())
+      this->BetweenRounds = true;
+      const bool goesOn = carryOn();
+      this->BetweenRounds = false;
+      if (!goesOn)
       {
         return End::Stopped;
       }
-      if (this->IsJammed(end, before))
+      if (!this->BeginRound())
       {
         return End::Jammed;
       }
-      before = time;
-      this->SetTemperature();
-      this->PredictAll();
     }
   }
+}
+
+// What the earliest event is of the sphere
+void HardSpheres::HandleEvent(int i, double time)
+{
+  this->Time = time;
+  this->MoveTo(i, time);
+  const int partner = this->Partner[i];
+  if (partner == LeavesPlace)
+  {
+    this->Unlist(i);
+    this->Place(i);
+    this->List(i);
+  }
+  else if (partner <= HitsWall)
+  {
+    this->Bounce(i, HitsWall - partner);
+  }
+  else if (this->Count[partner] == this->Stamp[i])
+  {
+    this->MoveTo(partner, time);
+    this->Collide(i, partner);
+    this->PredictAgain(partner);
+  }
+  this->PredictAgain(i);
 }
 
 void HardSpheres::FindPressure(double time)
@@ -459,8 +428,24 @@ HardSpheres::End HardSpheres::Grow(double growth, double rate, const std::functi
     sphere.Growth = rate * sphere.Radius;
     sphere.Time = 0.0;
   }
-  this->Virial = 0.0;
-  const End end = this->Run((growth - 1.0) / rate, Never, carryOn);
+  this->Begin((growth - 1.0) / rate, Never);
+  return this->Finish(this->Run(carryOn));
+}
+
+HardSpheres::End HardSpheres::Equilibrate(double collisions, const std::function<bool()>& carryOn)
+{
+  this->Begin(Never, collisions);
+  return this->Finish(this->Run(carryOn));
+}
+
+HardSpheres::End HardSpheres::Resume(const std::function<bool()>& carryOn)
+{
+  return this->Finish(this->BeginRound() ? this->Run(carryOn) : End::Jammed);
+}
+
+// Makes the radii those that the spheres have now, which do not grow
+HardSpheres::End HardSpheres::Finish(End end)
+{
   for (Sphere& sphere : this->Spheres)
   {
     sphere.Radius = this->RadiusAt(sphere, this->Time);
@@ -469,18 +454,6 @@ HardSpheres::End HardSpheres::Grow(double growth, double rate, const std::functi
   }
   this->Growth = this->GetGrowth();
   this->Time = this->GrowthRate = 0.0;
-  return end;
-}
-
-HardSpheres::End HardSpheres::Equilibrate(double collisions, const std::function<bool()>& carryOn)
-{
-  this->Virial = 0.0;
-  const End end = this->Run(Never, collisions, carryOn);
-  for (Sphere& sphere : this->Spheres)
-  {
-    sphere.Time = 0.0;
-  }
-  this->Time = 0.0;
   return end;
 }
 

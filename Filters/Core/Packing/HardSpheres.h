@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ruc/Packing/EventQueue.h"
+#include "ruc/Packing/HardSphereState.h"
 #include "ruc/Packing/PlaceGrid.h"
 #include "ruc/Packing/SphereRooms.h"
 #include "ruc/Particles/SpherePack.h"
@@ -57,6 +58,9 @@ public:
   HardSpheres(
     const SpherePack& pack, const Window& box, double largestGrowth, const Settings& settings);
 
+  /** Begins where GetState was called. Throws std::invalid_argument for what can be no state. */
+  HardSpheres(const HardSphereState& state, const Window& box, const Settings& settings);
+
   /**
    * Lets all radii grow in proportion to `growth` times what they are, at the rate `rate`: that
    * much of a diameter in the unit of time. It is Jammed where the spheres collide without growing.
@@ -64,6 +68,12 @@ public:
   End Grow(double growth, double rate, const std::function<bool()>& carryOn);
   /** Lets the spheres collide, without growing, `collisions` times each on average. */
   End Equilibrate(double collisions, const std::function<bool()>& carryOn);
+  /** Goes on with the Grow or Equilibrate in which GetState was called. */
+  End Resume(const std::function<bool()>& carryOn);
+
+  /** Whether a round has just ended: only then `carryOn` may call GetState. */
+  bool IsBetweenRounds() const { return this->BetweenRounds; }
+  HardSphereState GetState() const;
 
   /** The spheres as they are, in the order in which they were given, wrapped into the box. */
   SpherePack GetPack() const;
@@ -84,13 +94,7 @@ public:
   double KineticEnergy() const;
 
 private:
-  struct Sphere
-  {
-    Vector3 Place, Velocity; // the place at its own time
-    double Time;             // since the growth began
-    double Radius, Growth;   // at time 0, and in the unit of time
-    double Final;            // the largest radius that it may grow to
-  };
+  using Sphere = FlyingSphere;
 
   double RadiusAt(const Sphere& sphere, double time) const
   {
@@ -124,9 +128,13 @@ private:
   void Bounce(int i, int face);
   void ExchangeRadii();
   bool MayTake(int i, double radius, int except) const;
-  End Run(double end, double collisions, const std::function<bool()>& carryOn);
+  void Begin(double end, double collisions);
+  bool BeginRound();
+  End Run(const std::function<bool()>& carryOn);
+  void HandleEvent(int i, double time);
+  End Finish(End end);
   void FindPressure(double time);
-  bool IsJammed(double end, double before) const;
+  bool IsJammed() const;
 
   Window Box;
   Vector3 Period, Inverse; // the periodic edges, or 0, and their inverses
@@ -147,5 +155,7 @@ private:
   double Virial = 0.0, Pressure = 1.0;
   std::int64_t Collisions = 0;
   std::uint64_t Exchanges = 0; // rounds of them
+  HardSphereCourse Course;
+  bool BetweenRounds = false;
 };
 }

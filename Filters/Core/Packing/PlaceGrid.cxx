@@ -32,6 +32,23 @@ PlaceGrid::PlaceGrid(const Window& box, std::size_t balls, double least, double 
   }
 }
 
+std::vector<int> PlaceGrid::GetOrder() const
+{
+  std::vector<int> order;
+  for (const Level& level : this->Levels)
+  {
+    for (int first : level.First)
+    {
+      for (int ball = first; ball >= 0; ball = this->Next[ball])
+      {
+        order.push_back(ball);
+      }
+    }
+  }
+  std::reverse(order.begin(), order.end()); // the last one that was put is visited first
+  return order;
+}
+
 int PlaceGrid::OctaveOf(double radius) const
 {
   return std::max(0, std::ilogb(radius / this->Least));

@@ -28,6 +28,12 @@ public:
   void Put(int ball, const Vector3& place, double radius);
 
   /**
+   * Returns all balls in an order in which, when they are put anew, ForEachNear visits them as it
+   * does now.
+   */
+  std::vector<int> GetOrder() const;
+
+  /**
    * Calls visit(other) once for each other ball that meets the ball, and for others nearby. The
    * order is that of cells.
    */

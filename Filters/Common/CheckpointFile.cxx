@@ -21,38 +21,55 @@ CheckpointFile::CheckpointFile(std::string name, double interval)
 {
 }
 
-std::string CheckpointFile::Read(RankCommunicator& ranks) const
+std::string CheckpointFile::ReadHere() const
 {
-  std::string bytes, error;
-  if (this->IsWanted() && ranks.Rank() == 0 && access(this->Name.c_str(), F_OK) == 0)
+  if (!this->IsWanted())
   {
-    try
-    {
-      bytes = RegularFile::Read(this->Name);
-      error = bytes.empty() ? "it is empty." : "";
-    }
-    catch (const std::exception& e)
-    {
-      error = e.what();
-    }
-    if (!error.empty())
-    {
-      error = ruc::Text("CheckpointFile requires a checkpoint or a name that is free, got '",
-        this->Name, "': ", error);
-    }
+    return {};
   }
-  else if (this->IsWanted() && ranks.Rank() == 0)
+  if (access(this->Name.c_str(), F_OK) != 0)
   {
-    // Told before a search that could not be kept
+    // Told before work that could not be kept
     const std::size_t slash = this->Name.rfind('/');
     const std::string folder = slash == std::string::npos ? "." : this->Name.substr(0, slash + 1);
     if (access(folder.c_str(), F_OK) != 0)
     {
-      error = ruc::Text("CheckpointFile requires a name in a folder that is there, got '",
-        this->Name, "': ", std::strerror(errno), ".");
+      throw std::invalid_argument(
+        ruc::Text("CheckpointFile requires a name in a folder that is there, got '", this->Name,
+          "': ", std::strerror(errno), "."));
     }
+    return {};
   }
-  ranks.ThrowIfAny(error);
+  std::string bytes, error;
+  try
+  {
+    bytes = RegularFile::Read(this->Name);
+    error = bytes.empty() ? "it is empty." : "";
+  }
+  catch (const std::exception& e)
+  {
+    error = e.what();
+  }
+  if (!error.empty())
+  {
+    throw std::invalid_argument(
+      ruc::Text("CheckpointFile requires a checkpoint or a name that is free, got '", this->Name,
+        "': ", error));
+  }
+  return bytes;
+}
+
+std::string CheckpointFile::Read(RankCommunicator& ranks) const
+{
+  std::string bytes;
+  ranks.Agree(
+    [&]()
+    {
+      if (ranks.Rank() == 0)
+      {
+        bytes = this->ReadHere();
+      }
+    });
   ranks.Broadcast(bytes, 0);
   return bytes;
 }

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "RUCCommonModule.h"
+
 #include <chrono>
-#include <functional>
 #include <string>
 
 class RankCommunicator;
 
 /**
- * A file that holds the last state of a search. Rank 0 writes and reads it. A new state is a
- * NewFile; so, whatever happens meanwhile, the last good state remains.
+ * A file that holds the last state of a search or a pack. Rank 0 writes and reads it. A new state
+ * is a NewFile; so, whatever happens meanwhile, the last good state remains.
  */
-class CheckpointFile
+class RUCCOMMON_EXPORT CheckpointFile
 {
 public:
   /** If the name is empty, nothing is ever written. `interval` is in seconds, >= 0. */
@@ -28,6 +29,8 @@ public:
    * to a file that cannot be read or is empty. Collective.
    */
   std::string Read(RankCommunicator& ranks) const;
+  /** The same on this rank alone. */
+  std::string ReadHere() const;
 
   /**
    * Returns whether the interval has passed since the last state was written, or since the search
