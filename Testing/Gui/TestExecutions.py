@@ -17,6 +17,7 @@ directions = pv.DirectionalProbability(Input=modes, NumberOfLags=20, NumberOfDir
 of_pairs = pv.ProbabilityMap(Input=modes, Resolution=3)
 chords = pv.ChordLengths(Input=modes, NumberOfLags=20, NumberOfLines=50)
 radial = pv.RadialDistribution(Input=modes, NumberOfLags=20)
+third_order = pv.ThirdOrderParameters(Input=modes)
 cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags=20, MaximumIterations=5)
 three_point = pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5, NumberOfLags=8, NumberOfThrows=100)
 of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=20)
@@ -24,7 +25,7 @@ comparison = pv.CompareProbabilities(Input=two_point, Cell=of_cell)
 replicas = pv.PeriodicReplicas(Input=cell)
 particles = pv.ParticlesFromImage(Input=pv.LabelImage(Input=modes, Dimensions=[40, 40, 40], VolumeFractions=1), ImageArray="VolumeFraction",
                                   Residual=1)
-filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, cell, three_point, of_cell, comparison, replicas, particles]
+filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, third_order, cell, three_point, of_cell, comparison, replicas, particles]
 
 runs = {}
 
@@ -57,7 +58,7 @@ render = pv.CreateView("RenderView", ViewSize=[300, 200])
 displays = [pv.Show(source, render) for source in (reader, modes, cell, replicas)]
 pv.Show(labels, render)
 pv.Render(render)
-for source in (one_point, two_point, directions, of_pairs, chords, radial, three_point, of_cell, comparison, particles):
+for source in (one_point, two_point, directions, of_pairs, chords, radial, third_order, three_point, of_cell, comparison, particles):
     source.UpdatePipeline()
 check("the first outputs")
 

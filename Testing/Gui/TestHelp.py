@@ -21,6 +21,7 @@ FORMULAS = {
     'filters.ChordLengths': 'L_r(r) = Σ (c − r)+ / Σ (l − r)+',
     'filters.ImageStatistics': 'S_rs(x) = (A_rs(x) + A_rs(−x)) / (2 W(x))',
     'filters.RadialDistribution': 'g_rs(r_k) = Σ (V / γ(d_ij)) / (N shell_k / V)',
+    'filters.ThirdOrderParameters': 'I_qrs = ⅓ ⟨χ_q F_r : F_s⟩',
     'filters.ThreePointProbability': 'ζ = 9 / (2 c (1 − c)) I_2 and η = 5 ζ / 21 + 150 / (7 c (1 − c)) I_4',
     'filters.UnitCellReconstruction': 'h_c³ = (4 π / 3) Σ n_i² r_i⁶ / Σ c_i n_i r_i³ (equation 12)',
     'filters.CompareProbabilities': 'E = Σ ‖S_rs pack − S_rs cell‖ / Σ (‖S_rs pack‖ + ‖S_rs cell‖) / 2 × 100 % (17)',
@@ -34,7 +35,7 @@ FORMULAS = {
     'writers.RawImageWriter': 'place i + n_x (j + n_y k) after the header',
     'writers.SpherePackWriter': 'diameter = 2 × Radius',
 }
-BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.ImageStatistics', 'filters.RadialDistribution')
+BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.ImageStatistics', 'filters.RadialDistribution', 'filters.ThirdOrderParameters')
 SOURCES = {'sources.SpherePackSource': 'Lubachevsky, Stillinger, J. Stat. Phys. 60, 561 (1990)'}
 PROPERTIES = {'filters.DirectionalProbability': ['Number Of Directions', 'Number Of Lines', 'Seed'],
               'filters.ProbabilityMap': ['Phase Pairs', 'Resolution', 'Spacing'],

@@ -52,6 +52,7 @@ sources = [modes, two_point, cell,
            pv.ChordLengths(Input=modes, NumberOfLags=8, NumberOfLines=50),
            pv.RadialDistribution(Input=modes, NumberOfLags=8),
            pv.ImageStatistics(Input=labels, PhaseArray="Label"),
+           pv.ThirdOrderParameters(Input=modes),
            pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5, NumberOfLags=4, NumberOfThrows=100),
            pv.CompareProbabilities(Input=two_point, Cell=of_cell),
            pv.PeriodicReplicas(Input=cell)]

@@ -87,6 +87,23 @@ def automatic_values():
     assert re.fullmatch(r'Number Of Particles \S+, Cell Size \S+, Maximum Lag \S+', cell.GetProperty('AutomaticValues').GetData())
 
 
+def of_third_order():
+    """More around every centre takes longer, and the automatic cut-off is said."""
+    pack = make_pack()
+    source = ThirdOrderParameters(Input=pack)
+    seconds, megabytes = estimate(source)
+    assert seconds > 0.0 and megabytes > 0.0, (seconds, megabytes)
+    said = source.GetProperty('AutomaticValues').GetData()
+    cut_off = float(said.split()[-1])
+    assert said.startswith('Cut-Off ') and cut_off > 0.0, said
+    longer = ThirdOrderParameters(Input=pack, CutOff=3 * cut_off)
+    assert estimate(longer)[0] > seconds and not longer.GetProperty('AutomaticValues').GetData()
+    for bad in ({'MaximumDegree': 3}, {'CutOff': -1.0}, {'CutOff': float('nan')}, {'Blocks': 0}, {'Slabs': -1}):
+        assert estimate(ThirdOrderParameters(Input=pack, **bad))[0] == 0.0, bad
+    taken = fetch(source).GetFieldData().GetArray('CutOff').GetValue(0)
+    assert '%.6g' % taken == '%.6g' % cut_off, (taken, cut_off)
+
+
 def spheres_told():
     """SpheresInInput is what a spread pack has in all; it asks for no run, neither of this filter nor of those behind it."""
     pack = make_pack()
@@ -153,4 +170,4 @@ def shared_by_ranks():
     assert fetch(TwoPointProbability(Input=spread, MaximumLag=1.0)).GetNumberOfRows() == 278
 
 
-run((without_a_run, automatic_values, spheres_told, from_a_table, nothing_to_go_by, shared_by_ranks))
+run((without_a_run, automatic_values, of_third_order, spheres_told, from_a_table, nothing_to_go_by, shared_by_ranks))

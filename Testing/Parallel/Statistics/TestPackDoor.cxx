@@ -12,6 +12,7 @@
 #include "vtkRUCPointsToSpherePack.h"
 #include "vtkRUCProbabilityMap.h"
 #include "vtkRUCRadialDistribution.h"
+#include "vtkRUCThirdOrderParameters.h"
 #include "vtkRUCThreePointProbability.h"
 #include "vtkRUCTwoPointProbability.h"
 #include "vtkRUCUnitCellReconstruction.h"
@@ -47,6 +48,11 @@ void Prepare(vtkRUCPointsToSpherePack* filter)
 void Prepare(vtkRUCChordLengths* filter)
 {
   filter->SetNumberOfLines(200);
+}
+void Prepare(vtkRUCThirdOrderParameters* filter)
+{
+  // Else few centres are as far from the faces of the block
+  filter->SetCutOff(2.5);
 }
 void Prepare(vtkRUCThreePointProbability* filter)
 {
@@ -106,6 +112,7 @@ void ForEachFilter(Check&& check)
   check(static_cast<vtkRUCProbabilityMap*>(nullptr));
   check(static_cast<vtkRUCChordLengths*>(nullptr));
   check(static_cast<vtkRUCRadialDistribution*>(nullptr));
+  check(static_cast<vtkRUCThirdOrderParameters*>(nullptr));
   check(static_cast<vtkRUCLabelImage*>(nullptr));
 }
 

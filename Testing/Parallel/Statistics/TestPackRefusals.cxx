@@ -9,6 +9,7 @@
 #include "vtkRUCParticleModes.h"
 #include "vtkRUCPointsToSpherePack.h"
 #include "vtkRUCRadialDistribution.h"
+#include "vtkRUCThirdOrderParameters.h"
 #include "vtkRUCThreePointProbability.h"
 #include "vtkRUCTwoPointProbability.h"
 
@@ -231,6 +232,7 @@ TEST(WindowRefusals, LayerOfSpheres)
 {
   RefusesLayer<TwoPoint>(Name.c_str());
   RefusesLayer<vtkRUCOnePointProbability>("One-Point Probability");
+  RefusesLayer<vtkRUCThirdOrderParameters>("Third-Order Parameters");
   RefusesLayer<vtkRUCThreePointProbability>("Three-Point Probability");
   RefusesLayer<vtkRUCRadialDistribution>("Radial Distribution");
   RefusesLayer<vtkRUCChordLengths>("Chord Lengths");

@@ -22,6 +22,17 @@ struct FourthFactors
   }
   double AA, AQ, QQ;
 };
+
+double Power(double base, int exponent)
+{
+  double power = 1.0;
+  for (; exponent > 0; exponent /= 2)
+  {
+    power *= exponent % 2 > 0 ? base : 1.0;
+    base *= base;
+  }
+  return power;
+}
 }
 
 MultipoleProducts::MultipoleProducts(const LocalMultipoles& multipoles)
@@ -77,12 +88,12 @@ double MultipoleProducts::Fourth(const double* sums, int s, int t) const
 
 MultipoleRest FindMultipoleRest(double t, double ratio, int degree, bool withFourth)
 {
-  constexpr double least = 1e-12;
+  constexpr double least = 1e-9;
   const double cube = ratio * ratio * ratio, touching = 1.0 / ((1.0 + ratio) * (1.0 + ratio));
   t = std::min(t, touching);
   const double first = degree + 1.0;
-  double power = cube * cube * std::pow(t, first + 1.0); // a_j^6 r^(-2l-2)
-  if (power * std::pow(first, 6) < least)
+  double power = cube * cube * Power(t, degree + 2); // a_j^6 r^(-2l-2)
+  if (power * Power(first, 6) < least)
   {
     return {};
   }
@@ -92,7 +103,7 @@ MultipoleRest FindMultipoleRest(double t, double ratio, int degree, bool withFou
   rest.Second = power *
     (first * (first - 1.0) * left * left + 2.0 * first * t * left + 2.0 * t * t) /
     (left * left * left);
-  for (double l = first; withFourth && power * std::pow(l, 6) >= least; ++l)
+  for (double l = first; withFourth && power * Power(l, 6) >= least; ++l)
   {
     const FourthFactors factors(l);
     const double a = ratio * ratio / 5.0 - 1.0 / (t * (2.0 * l - 1.0));

@@ -48,7 +48,7 @@ struct MultipoleRest
  * The rest of a neighbour: with t the square of the centre's radius over the distance, and `ratio`
  * the neighbour's radius over the centre's, sum over l > degree of the terms above. The sum of
  * Second has a closed form. Spheres that overlap a little count as touching. 0 where it is below
- * 10^-12.
+ * 10^-9.
  */
 MultipoleRest FindMultipoleRest(double t, double ratio, int degree, bool withFourth);
 }

@@ -215,6 +215,11 @@ MultipoleSums::Rests MultipoleSums::Gather(std::size_t i, LocalMultipoles::Neigh
       const double other = part.Pack.Radius[j];
       const int source = settings.Sources > 1 ? part.Pack.Mode[j] - 1 : 0;
       around.Add(dx, dy, dz, d2, other, source);
+      const double touching = radius + other;
+      if (d2 > 9.0 * touching * touching)
+      {
+        return; // Its rest is none, and not to look for it is quicker
+      }
       const MultipoleRest rest = FindMultipoleRest(
         radius * radius / d2, other / radius, settings.Degree, settings.WithFourth);
       rests[source][0] += FixedPoint::Of(rest.Second);

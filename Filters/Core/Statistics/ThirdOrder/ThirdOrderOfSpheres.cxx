@@ -387,13 +387,20 @@ ThirdOrderOfSpheres MeasureThirdOrder(const PackShare& share, const ThirdOrderSe
 
 Estimate EstimateThirdOrder(const PackFigures& pack, const ThirdOrderSettings& settings)
 {
-  constexpr double secondsPerPair = 25e-9, secondsPerWave = 1.5e-9;
+  constexpr double secondsPerPair = 80e-9, secondsPerWave = 1.5e-9;
+  CheckSettings(settings);
   const double fraction = pack.Density() * SphereVolume(0.5 * pack.MeanDiameter);
   const int sources = settings.ByMode ? pack.Modes : 1;
   const MultipoleSettings found = FindSettings(settings, pack.Observed, pack.MeanDiameter,
     pack.LargestRadius, fraction, pack.Spheres, sources);
-  const double pairs = 2.0 * pack.PairsWithin(found.CutOff);
-  Estimate estimate{ pairs * secondsPerPair * (settings.WithEta ? 2.0 : 1.0), 0.0, 0.0 };
+  // The spheres around every centre
+  const bool periodic = pack.Observed.IsFullyPeriodic();
+  const bool hasRoom = periodic || 2.0 * found.CutOff < pack.Observed.ShortestEdge();
+  const double centres = hasRoom
+    ? pack.Observed.Shrunk(periodic ? 0.0 : found.CutOff).Volume() / pack.Observed.Volume()
+    : 0.0;
+  const double pairs = 2.0 * pack.PairsWithin(found.CutOff) * centres;
+  Estimate estimate{ pairs * secondsPerPair * (settings.WithEta ? 1.3 : 1.0), 0.0, 0.0 };
   if (found.Alpha > 0.0)
   {
     const double waves = ThirdOrderEwald::NumberOfWaves(pack.Observed, found);

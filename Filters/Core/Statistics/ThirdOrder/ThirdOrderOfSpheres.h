@@ -114,6 +114,6 @@ struct ThirdOrderOfSpheres
 ThirdOrderOfSpheres MeasureThirdOrder(const PackShare& share, const ThirdOrderSettings& settings,
   Communicator& ranks, const std::function<void(double)>& progress = {});
 
-/** What MeasureThirdOrder takes. */
+/** What MeasureThirdOrder takes. Throws std::invalid_argument for settings out of range. */
 Estimate EstimateThirdOrder(const PackFigures& pack, const ThirdOrderSettings& settings);
 }
