@@ -90,16 +90,17 @@ def automatic_values():
 def of_third_order():
     """More around every centre takes longer, and the automatic cut-off is said."""
     pack = make_pack()
-    source = ThirdOrderParameters(Input=pack)
+    box = {'BoxSize': [10, 10, 10], 'BoxPeriodic': [1, 1, 1]}
+    source = ThirdOrderParameters(Input=pack, **box)
     seconds, megabytes = estimate(source)
     assert seconds > 0.0 and megabytes > 0.0, (seconds, megabytes)
     said = source.GetProperty('AutomaticValues').GetData()
     cut_off = float(said.split()[-1])
-    assert said.startswith('Cut-Off ') and cut_off > 0.0, said
-    longer = ThirdOrderParameters(Input=pack, CutOff=3 * cut_off)
+    assert said.startswith('Cut Off ') and cut_off > 0.0, said
+    longer = ThirdOrderParameters(Input=pack, CutOff=3 * cut_off, **box)
     assert estimate(longer)[0] > seconds and not longer.GetProperty('AutomaticValues').GetData()
     for bad in ({'MaximumDegree': 3}, {'CutOff': -1.0}, {'CutOff': float('nan')}, {'Blocks': 0}, {'Slabs': -1}):
-        assert estimate(ThirdOrderParameters(Input=pack, **bad))[0] == 0.0, bad
+        assert estimate(ThirdOrderParameters(Input=pack, **box, **bad))[0] == 0.0, bad
     taken = fetch(source).GetFieldData().GetArray('CutOff').GetValue(0)
     assert '%.6g' % taken == '%.6g' % cut_off, (taken, cut_off)
 

@@ -410,7 +410,7 @@ Estimate EstimateThirdOrder(const PackFigures& pack, const ThirdOrderSettings& s
   estimate.MegabytesOfAll = pack.Spheres * 200.0 / BytesOfMegabyte;
   if (settings.CutOff == 0.0)
   {
-    estimate.Automatic = Text("Cut-Off ", found.CutOff);
+    estimate.Automatic = Text("Cut Off ", found.CutOff);
   }
   return estimate;
 }
