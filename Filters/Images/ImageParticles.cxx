@@ -113,7 +113,15 @@ void ImageParticles::TakeCut(ruc::CutParticles cut)
   this->Number = std::move(cut.Number);
   this->Shapes = std::move(cut.Shapes);
   this->AreCut = true;
-  this->NumberIds();
+  if (!this->HasLabels)
+  {
+    this->NumberIds();
+    return;
+  }
+  for (std::int32_t label : cut.Labels)
+  {
+    this->Ids.push_back(this->Labels[label - 1]);
+  }
 }
 
 void ImageParticles::FindShapes(RankCommunicator& ranks)

@@ -199,10 +199,29 @@ void vtkRUCParticlesFromImage::FitSpheres(
       starts.push_back({ shape.Centre, shape.EqualVolumeRadius() });
     }
     Require(!starts.empty(), "ImageArray", "labels above 0", "none");
+    Require(!ranks.All(std::find(work.Slab.Values.begin(), work.Slab.Values.end(), 0.0f) ==
+              work.Slab.Values.end()),
+      "Sphere Fit", "voxels of matrix, with the label 0",
+      "none; Watershed takes labels as they are");
   }
   work.Found = ruc::FindSpheres(work.Slab, this->MakeSearch(work), starts, ranks,
     [&](double done, const std::string& what)
     { return ranks.Rank() != 0 || report.Update(done, what); });
+}
+
+void vtkRUCParticlesFromImage::CutImage(
+  ImageParticles& work, RankCommunicator& ranks, ProgressReport& report) const
+{
+  const ruc::ParticleSearch search = this->MakeCut(work);
+  if (work.HasLabels)
+  {
+    work.TakeCut(ruc::TakeLabels(std::exchange(work.Number, {}),
+      static_cast<std::int32_t>(work.Labels.size()), search, ranks));
+    return;
+  }
+  work.TakeCut(ruc::CutImage(std::exchange(work.Slab, {}), search, ranks,
+    [&](double done, const std::string& what)
+    { return ranks.Rank() != 0 || report.Update(done, what); }));
 }
 
 void vtkRUCParticlesFromImage::FindParticles(ImageParticles& work, RankCommunicator& ranks)
@@ -210,9 +229,7 @@ void vtkRUCParticlesFromImage::FindParticles(ImageParticles& work, RankCommunica
   ProgressReport report(this, this->GetLabel());
   if (this->Method == WATERSHED)
   {
-    work.TakeCut(ruc::CutImage(std::exchange(work.Slab, {}), this->MakeCut(work), ranks,
-      [&](double done, const std::string& what)
-      { return ranks.Rank() != 0 || report.Update(done, what); }));
+    this->CutImage(work, ranks, report);
   }
   else
   {
@@ -329,8 +346,6 @@ void vtkRUCParticlesFromImage::Execute(
     work.Edges[q] = work.Input.Grid.Spacing[q] / work.Edge;
   }
   work.HasLabels = this->HasLabels(work.Input, ranks);
-  Require(!work.HasLabels || this->Method != WATERSHED, "Method Watershed",
-    "a grey or binary image, as labels are particles already", "labels");
   work.OfPoints = !ranks.All(!work.Input.Piece.OfPoints);
   this->ReadImage(work, ranks);
   this->FindParticles(work, ranks);

@@ -91,7 +91,8 @@ public:
   ///@{
   /**
    * How particles are found: SPHERE_FIT fits spheres to the grey values by least squares; WATERSHED
-   * cuts what is above the threshold into particles of any shape (Core/Images/Watershed).
+   * cuts what is above the threshold into particles of any shape (Core/Images/Watershed), and takes
+   * labels as they are.
    * Default: SPHERE_FIT.
    */
   vtkSetMacro(Method, int);
@@ -200,6 +201,7 @@ private:
   // Fills the slab of the work, and with labels its starts
   void ReadImage(ImageParticles& work, RankCommunicator& ranks) const;
   void FindParticles(ImageParticles& work, RankCommunicator& ranks);
+  void CutImage(ImageParticles& work, RankCommunicator& ranks, ProgressReport& report) const;
   void FitSpheres(ImageParticles& work, RankCommunicator& ranks, ProgressReport& report) const;
   double LeastDiameterOf(const ImageParticles& work) const;
   ruc::Estimate EstimateOf(const ruc::VoxelGrid& grid, int ranks) const;

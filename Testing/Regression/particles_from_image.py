@@ -121,7 +121,11 @@ def watershed():
         array = data.GetPointData().GetArray(name)
         remember('watershed ' + name, [array.GetValue(n) for n in range(array.GetNumberOfTuples())])
     remember('watershed', [value for sphere in found for value in sphere])
-    expect_error(ParticlesFromImage(Input=image, ImageArray='ParticleId', Method='Watershed'), ['labels are particles already'])
+    # Of labels the volumes are those of their voxels, cut at the border
+    labels = spheres(ParticlesFromImage(Input=image, ImageArray='ParticleId', Method='Watershed', MinimumDiameter=0.1))
+    volume = sum(4 / 3 * math.pi * r ** 3 for _, _, _, r in labels)
+    voxels = IntegrateVariables(Input=Threshold(Input=image, Scalars=['CELLS', 'ParticleId'], LowerThreshold=1, UpperThreshold=1e9))
+    assert abs(volume / fetch(voxels).GetCellData().GetArray('Volume').GetValue(0) - 1) < 1e-6
 
 
 def as_a_pack():

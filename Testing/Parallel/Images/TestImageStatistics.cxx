@@ -4,6 +4,7 @@
 // images are refused
 #include "Equality.h"
 #include "Refusals.h"
+#include "Stops.h"
 #include "VoxelImages.h"
 
 #include "vtkRUCImageStatistics.h"
@@ -281,6 +282,23 @@ TEST(ImageStatistics, TellsWhatARunTakes)
   EXPECT_STREQ(filter->GetAutomaticValues(), "Maximum Lag 1.5, Number Of Lags 3");
   filter->SetLabelsInInput(64);
   EXPECT_GT(filter->GetEstimatedMemory(), memory);
+}
+
+TEST(ImageStatistics, AStoppedRunHasNoResult)
+{
+  for (int event : { 0, 1, 4 })
+  {
+    vtkNew<ImageStatistics> filter;
+    const Errors errors(filter);
+    const StopAt stop(filter, event);
+    filter->SetInputData(Piece(Forms[0], Cuts[1], LabelAt));
+    filter->Update();
+    if (Rank() == 0)
+    {
+      ExpectParts(stop.Texts.back(), { "counting pairs of voxels", "may be stopped" });
+    }
+    ExpectRefusal(filter, errors, { "were stopped before their end" });
+  }
 }
 
 TEST(ImageStatisticsRefusals, Images)

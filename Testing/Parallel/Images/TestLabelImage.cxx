@@ -3,6 +3,7 @@
 // Label images are the same on any number of ranks, in pieces, and say what they cannot show
 #include "Equality.h"
 #include "Refusals.h"
+#include "Stops.h"
 
 #include "vtkRUCLabelImage.h"
 
@@ -279,18 +280,7 @@ TEST(LabelImage, TheSizeOfVoxelsIsThatOfTheSpheresOfAllRanks)
 TEST(LabelImage, AStoppedRunHasNoImage)
 {
   vtkNew<LabelImage> filter;
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void*)
-    {
-      // VTK tells 0 and 1 before and after a run; a wish would then be for the next one
-      vtkAlgorithm* running = static_cast<vtkAlgorithm*>(caller);
-      if (Rank() == 0 && running->GetProgress() > 0.0 && running->GetProgress() < 1.0)
-      {
-        running->SetAbortExecute(1);
-      }
-    });
-  filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  const StopAt stop(filter, 0);
   const Errors errors(filter);
   filter->SetInputData(MakePolyData(FewSizes(), Edge, true, IsMine));
   filter->SetDimensions(30, 30, 30);

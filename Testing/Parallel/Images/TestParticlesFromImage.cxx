@@ -4,6 +4,7 @@
 // refused
 #include "Equality.h"
 #include "Refusals.h"
+#include "Stops.h"
 #include "VoxelImages.h"
 
 #include "vtkRUCParticlesFromImage.h"
@@ -373,6 +374,32 @@ TEST(ParticlesFromImage, CutsParticlesOfAnyShape)
   EXPECT_EQ(PackOf(joined)->GetNumberOfPoints(), 2);
 }
 
+TEST(ParticlesFromImage, LabelsAreTakenAsTheyAre)
+{
+  // Without any matrix, as in a polycrystal: slices of 5 planes, the last one of a plane
+  const auto slices = [](int, int, int z) { return 7.0 * (z / 5 + 1); };
+  const auto take = [](Particles* f)
+  {
+    f->SetMethod(Particles::WATERSHED);
+    f->SetImageKind(Particles::LABELS);
+  };
+  const auto filter = Alone(MakeImage(Forms[0], 0, 0, Size[0], slices), take);
+  vtkPolyData* pack = PackOf(filter);
+  ASSERT_EQ(pack->GetNumberOfPoints(), 8);
+  for (int n = 0; n < 8; ++n)
+  {
+    EXPECT_EQ(At(pack, "Id", n), 7.0 * (n + 1));
+    const double planes = n < 7 ? 5.0 : 1.0;
+    EXPECT_NEAR(4.0 / 3.0 * 3.14159265358979324 * std::pow(At(pack, "Radius", n) / VoxelEdge, 3),
+      planes * Size[0] * Size[1], 1e-6);
+    EXPECT_EQ(At(pack, "BorderFaces", n), n == 0 || n == 7 ? 5.0 : 4.0);
+    EXPECT_NEAR(pack->GetPoint(n)[2], Origin[2] + VoxelEdge * (5.0 * n + 0.5 * planes), 1e-9);
+  }
+  ExpectSameParticles(take, slices);
+  RefusesValues({ "Sphere Fit requires voxels of matrix, with the label 0, got none" }, slices,
+    [](auto* f) { f->SetImageKind(Particles::LABELS); });
+}
+
 TEST(ParticlesFromImage, WholeSpheresHaveASmallerWindow)
 {
   const auto filter = Alone(MakeImage(Forms[0], 0, 0, Size[0], GreyAt),
@@ -414,6 +441,58 @@ TEST(ParticlesFromImage, TellsWhatARunTakes)
   EXPECT_GT(filter->GetEstimatedTime(), 0.0);
   EXPECT_NEAR(filter->GetEstimatedMemory(), 16e-6 * Size[0] * Size[1] * Size[2], 1e-9);
   EXPECT_STREQ(filter->GetAutomaticValues(), "Minimum Diameter 1.5");
+}
+
+// Where a run is stopped at each of its events, all ranks end it: with the spheres as they are so
+// far, or without any where none are fitted yet. The next run goes to its end
+TEST(ParticlesFromImage, StopsInEveryPhase)
+{
+  struct Case
+  {
+    int Method;
+    std::vector<std::string> Phases;
+  };
+  const Case cases[] = {
+    { Particles::SPHERE_FIT,
+      { "finding the two phases", "looking for particles", "fitting spheres" } },
+    { Particles::WATERSHED,
+      { "finding the two phases", "finding distances", "flooding", "measuring particles" } }
+  };
+  for (const Case& of : cases)
+  {
+    int kept = 0;
+    for (std::size_t event = 0; event <= of.Phases.size(); ++event)
+    {
+      SCOPED_TRACE(event);
+      vtkNew<Particles> filter;
+      const Errors errors(filter);
+      const Warnings warnings(filter);
+      const StopAt stop(filter, static_cast<int>(event));
+      filter->SetMethod(of.Method);
+      filter->SetInputData(Piece(Forms[0], 2));
+      filter->Update();
+      // As rank 0 knows
+      int known[2] = { stop.Texts.size() <= event ? 1 : 0,
+        static_cast<int>(PackOf(filter)->GetNumberOfPoints()) };
+      vtkMultiProcessController::GetGlobalController()->Broadcast(known, 2, 0);
+      const bool toEnd = known[0] != 0;
+      const std::string phase = of.Phases[std::min(event, of.Phases.size() - 1)];
+      if (Rank() == 0 && !toEnd)
+      {
+        ExpectParts(stop.Texts[event], { phase, "may be stopped" });
+      }
+      if (known[1] == 0)
+      {
+        EXPECT_FALSE(toEnd);
+        ExpectParts(RefusalOf(PackOf(filter)), { "a stop before any was found" });
+        continue;
+      }
+      ++kept;
+      EXPECT_EQ(FieldOf(PackOf(filter), "Stopped"), toEnd ? 0.0 : 1.0);
+      EXPECT_EQ(warnings.Texts.size(), Rank() == 0 && !toEnd ? 1u : 0u);
+    }
+    EXPECT_GE(kept, 1); // the fit stopped between two sweeps; the watershed that was not stopped
+  }
 }
 
 TEST(ParticlesFromImageRefusals, Images)
@@ -486,12 +565,6 @@ TEST(ParticlesFromImageRefusals, Settings)
     { "Method requires a value from 0 to 1, got 2" }, [](auto* f) { f->SetMethod(2); });
   RefusesSettings({ "MarkerHeight requires a finite number > 0, got 0" },
     [](auto* f) { f->SetMarkerHeight(0.0); });
-  RefusesSettings({ "Method Watershed requires a grey or binary image", "got labels" },
-    [](auto* f)
-    {
-      f->SetMethod(Particles::WATERSHED);
-      f->SetImageKind(Particles::LABELS);
-    });
   for (int method : { Particles::SPHERE_FIT, Particles::WATERSHED })
   {
     RefusesSettings({ "MemoryLimit requires at least", "got 0.1" },

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Images/Watershed/CutParticles.h"
 
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Images/Fit/DistanceMap.h"
 #include "ruc/Images/Watershed/Basins.h"
@@ -54,6 +55,7 @@ void Keep(std::vector<ParticleShape> shapes, const ParticleSearch& search, CutPa
       continue;
     }
     cut.Shapes.push_back(shapes[n]);
+    cut.Labels.push_back(static_cast<std::int32_t>(n) + 1);
     numbers[n + 1] = static_cast<std::int32_t>(cut.Shapes.size());
   }
   for (std::int32_t& number : cut.Number.Values)
@@ -106,6 +108,16 @@ CutParticles CutImage(VoxelSlab<float> image, const ParticleSearch& search, Comm
     throw std::invalid_argument(Text("found no particle of a diameter of ", search.LeastDiameter,
       " voxels or more above the grey value ", cut.Threshold, "; are particles dark?"));
   }
+  return cut;
+}
+
+CutParticles TakeLabels(VoxelSlab<std::int32_t> labels, std::int32_t count,
+  const ParticleSearch& search, Communicator& ranks)
+{
+  Require(count > 0, "ImageArray", "labels above 0", "none");
+  CutParticles cut;
+  cut.Number = std::move(labels);
+  Keep(MeasureShapes(cut.Number, count, search.Edges, ranks), search, cut);
   return cut;
 }
 

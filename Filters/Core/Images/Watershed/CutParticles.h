@@ -27,6 +27,7 @@ struct ParticleSearch : PhaseSearch
 struct CutParticles : TwoPhases
 {
   std::vector<ParticleShape> Shapes;
+  std::vector<std::int32_t> Labels; // of the shapes: the numbers of their basins, or labels
   /** Of each voxel its particle, from 1; 0 in the matrix; NotKept in particles that are not among
    * them. */
   VoxelSlab<std::int32_t> Number;
@@ -52,6 +53,14 @@ struct CutParticles : TwoPhases
  */
 CutParticles CutImage(VoxelSlab<float> image, const ParticleSearch& search, Communicator& ranks,
   const std::function<bool(double, const std::string&)>& progress = {});
+
+/**
+ * Takes the labels 1 to `count` of an image for its particles, without a cut. Of the search the
+ * edges, the least diameter and WholeOnly count. Throws std::invalid_argument, the same on every
+ * rank, where there are none. Collective.
+ */
+CutParticles TakeLabels(VoxelSlab<std::int32_t> labels, std::int32_t count,
+  const ParticleSearch& search, Communicator& ranks);
 
 /** What it takes to cut an image of that size on so many ranks. */
 Estimate EstimateCut(const std::array<int, 3>& dimensions, int ranks);
