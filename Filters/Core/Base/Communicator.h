@@ -149,6 +149,7 @@ public:
       return outgoing;
     }
     std::vector<std::string> bytes;
+    bytes.reserve(outgoing.size());
     for (Value& value : outgoing)
     {
       bytes.push_back(ToBytes(std::exchange(value, Value{})));

@@ -317,6 +317,7 @@ std::vector<Pass> FindPasses(
     }
   }
   std::vector<Pass> passes;
+  passes.reserve(highest.size());
   for (const auto& [pair, height] : highest)
   {
     passes.push_back({ static_cast<std::int32_t>(pair >> 32),
