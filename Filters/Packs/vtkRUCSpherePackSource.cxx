@@ -313,6 +313,7 @@ void vtkRUCSpherePackSource::Make(vtkInformationVector* outputs, ProgressReport&
                     << (this->CheckpointFile.empty() ? "" : " The next run goes on from there."));
   }
   const ruc::PackOrder order = ruc::MeasureOrder(made.Pack, made.Box, ContactTolerance);
+  this->RequireNoCrystal(order);
   made.Pack.Mode = spheres.Mode;
   vtkPolyData* pack = vtkPolyData::GetData(outputs, PACK);
   PackData::FillPolyData(made.Pack, pack);
@@ -320,6 +321,22 @@ void vtkRUCSpherePackSource::Make(vtkInformationVector* outputs, ProgressReport&
   FillGrowth(made, vtkTable::GetData(outputs, GROWTH));
   OutputSummary::ForEachOutput(
     outputs, [&](vtkDataObject* data) { this->AddSummary(made, order, data); });
+}
+
+void vtkRUCSpherePackSource::RequireNoCrystal(const ruc::PackOrder& order)
+{
+  if (!order.IsCrystalline())
+  {
+    return;
+  }
+  const std::string what = ruc::Text("The spheres crystallise: Q6 is ", order.Q6,
+    ", where that of a random pack is below ", ruc::PackOrder::MostQ6, ".");
+  if (this->EquilibrationTime > 0.0) // after which a crystal may be what is in equilibrium
+  {
+    vtkWarningMacro(<< what);
+    return;
+  }
+  throw std::invalid_argument(what + " A higher Rate, another Seed, or a range of sizes helps.");
 }
 
 void vtkRUCSpherePackSource::AddSummary(
@@ -338,7 +355,12 @@ void vtkRUCSpherePackSource::AddSummary(
   PackData::AddField(data, "Protocol", std::string(made.IsSoft ? "Soft" : "Events"));
   add("Fraction", made.Fraction);
   add("MaximumFraction", made.MaximumFraction);
-  if (!made.History.empty())
+  if (const std::optional<ruc::MeanPressure> pressure = ruc::FindMeanPressure(made.History))
+  {
+    add("ReducedPressure", pressure->Value);
+    add("ReducedPressureError", pressure->Error);
+  }
+  else if (!made.History.empty())
   {
     add("ReducedPressure", made.History.back().ReducedPressure);
   }

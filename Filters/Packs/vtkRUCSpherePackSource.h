@@ -7,15 +7,17 @@
  * Output 0, whole on rank 0: the pack, points with vertex cells and the arrays `Radius`, `Mode` and
  * `Id`, in a box from the origin whose volume follows from the spheres and Fraction. Field data:
  * the window, periodic where there is no wall, `NumberOfSpheres`, `Fraction`, `MaximumFraction`,
- * `ReducedPressure`, `CoordinationNumber`, `RattlerPercent`, `Q6`, `Protocol`, `Seed`, `Stopped`.
- * No two spheres overlap, not by the last digit (Core/Packing/DensePack.h).
+ * `ReducedPressure` (after an equilibration the mean and `ReducedPressureError`),
+ * `CoordinationNumber`, `RattlerPercent`, `Q6`, `Protocol`, `Seed`, `Stopped`. No two spheres
+ * overlap, not by the last digit (Core/Packing/DensePack.h).
  *
  * Output 1, whole on rank 0: the table of the growth, `Collisions` of a sphere, `Fraction`,
  * `ReducedPressure`, `Rate`. It has no rows where the spheres did not need to collide.
  *
  * Rank 0 works alone, so that the pack is the same for any number of ranks. A pack that jams below
- * Fraction is an error that tells the fraction that was reached. One that is stopped has the same
- * spheres in a larger box.
+ * Fraction is an error that tells the fraction that was reached, and so is one that crystallises as
+ * it grows (Q6 above 0.1, and above what few spheres have by chance). One that is stopped has the
+ * same spheres in a larger box.
  */
 #ifndef vtkRUCSpherePackSource_h
 #define vtkRUCSpherePackSource_h
@@ -210,6 +212,8 @@ private:
   ruc::DensePack MakeSpheres(const ruc::DensePackSettings& settings, ProgressReport& report);
   // Fills the outputs of rank 0
   void Make(vtkInformationVector* outputs, ProgressReport& report);
+  // Throws, or warns after an equilibration, where the spheres are no random pack
+  void RequireNoCrystal(const ruc::PackOrder& order);
   void AddSummary(
     const ruc::DensePack& made, const ruc::PackOrder& order, vtkDataObject* data) const;
 

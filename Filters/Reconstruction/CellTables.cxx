@@ -13,6 +13,8 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+
 namespace
 {
 const char* const MethodNames[] = { "Gradient", "Annealed Population", "Hybrid" };
@@ -25,16 +27,21 @@ long long SeedOf(const CellSearch::FoundCell& found, const CellSearch::Settings&
 void FillConvergence(const ruc::UnitCell& cell, vtkTable* table)
 {
   std::vector<long long> iteration;
-  std::vector<double> objective, overlap;
+  std::vector<double> objective, overlap, multipliers;
   for (const ruc::SearchState& state : cell.Convergence)
   {
     iteration.push_back(state.Iteration);
     objective.push_back(state.Objective);
     overlap.push_back(state.OverlapPercent);
+    multipliers.push_back(state.SumOfMultipliers);
   }
   PackData::AddColumn(table, "Iteration", iteration);
   PackData::AddColumn(table, "Objective", objective);
   PackData::AddColumn(table, "OverlapPercent", overlap);
+  if (std::any_of(multipliers.begin(), multipliers.end(), [](double sum) { return sum > 0.0; }))
+  {
+    PackData::AddColumn(table, "SumOfMultipliers", multipliers);
+  }
 }
 
 void FillProbabilities(const ruc::TwoPointProbability& pack, const ruc::TwoPointProbability& cell,

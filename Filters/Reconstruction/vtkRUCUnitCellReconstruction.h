@@ -29,7 +29,8 @@
  *   random start, freed from overlap as far as that went; for a population its mean),
  *   `OnePointDifference` (F1, equation 11), `OverlapPercent`, `Iterations` (or generations),
  *   `EndedBy` (text), `Stopped` (1 if the search was ended from outside) and `Cell` (its number).
- * - 1 is the table of convergence of the best cell, `Iteration`, `Objective`, `OverlapPercent`,
+ * - 1 is the table of convergence of the best cell, `Iteration`, `Objective`, `OverlapPercent`, for
+ *   a dense cell `SumOfMultipliers`,
  *   whose row 0 is the start and whose last row is the cell that is returned.
  * - 2 is the table `r`, `S_1_1_pack`, `S_1_1_cell`, … of the best cell; for several cells also
  *   `S_1_1_mean`, `S_1_1_deviation` (the standard deviation over the cells), ….

@@ -6,7 +6,7 @@ import sys
 
 from paraview.simple import *
 
-from harness import RANKS, columns, fetch, field, remember, run
+from harness import RANKS, columns, expect_error, fetch, field, remember, run
 
 FOLDER = os.path.abspath(sys.argv[1])
 
@@ -50,6 +50,25 @@ def two_sizes():
     assert [int(x) for x in field(data, 'BoxPeriodic')] == [1, 1, 0]
 
 
+def equilibrated():
+    """The pressure of a fluid is that of Carnahan and Starling, to three standard errors."""
+    data = fetch(SpherePackSource(NumberOfSpheres=300, Fraction=0.4, EquilibrationTime=2000))
+    pressure, error = field(data, 'ReducedPressure'), field(data, 'ReducedPressureError')
+    assert 0 < error < 0.1 and abs(pressure - 6.926) < 3 * error, (pressure, error)
+
+
+def dense_cell():
+    """A cell of a dense pack has no overlap, its convergence tells the sum of the multipliers, and only Gradient finds it."""
+    modes = ParticleModes(Input=SpherePackSource(NumberOfSpheres=400, Fraction=0.635), NumberOfModes=1)
+    search = UnitCellReconstruction(Input=modes, NumberOfParticles=60, MaximumLag=2, NumberOfLags=20, MaximumIterations=400)
+    convergence = columns(search, 1)
+    assert list(convergence) == ['Iteration', 'Objective', 'OverlapPercent', 'SumOfMultipliers'], list(convergence)
+    assert convergence['SumOfMultipliers'][0] == 0 < convergence['SumOfMultipliers'][-1] and field(fetch(search), 'OverlapPercent') == 0
+    remember('dense cell', convergence['Objective'])
+    search.Method = 'Annealed Population'
+    expect_error(search, ['Method requires Gradient'])
+
+
 def sizes_of_a_file():
     """A sieve curve in a file: the volume that passes the sieve in the middle is that of the curve, to the volume of a sphere."""
     name = os.path.join(FOLDER, 'sieves_%d.csv' % RANKS)
@@ -62,4 +81,4 @@ def sizes_of_a_file():
     assert abs(passed - 0.80) < 0.01, passed
 
 
-run((pack, written, two_sizes, sizes_of_a_file), sys.argv[2])
+run((pack, written, two_sizes, equilibrated, dense_cell, sizes_of_a_file), sys.argv[2])

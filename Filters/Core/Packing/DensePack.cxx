@@ -344,6 +344,33 @@ DensePack MakeDensePack(const DensePackSettings& settings,
   return Packer(settings, carryOn, save).Run(resume);
 }
 
+std::optional<MeanPressure> FindMeanPressure(const std::vector<GrowthStep>& history)
+{
+  std::vector<double> rounds;
+  for (const GrowthStep& step : history)
+  {
+    // A thin pack has steps within a round, which tell the pressure of the round before
+    const bool repeats = !rounds.empty() && step.ReducedPressure == rounds.back();
+    if (step.Rate == 0.0 && step.Collisions > 0.0 && step.ReducedPressure != 1.0 && !repeats)
+    {
+      rounds.push_back(step.ReducedPressure);
+    }
+  }
+  if (rounds.size() < 5)
+  {
+    return {};
+  }
+  rounds.erase(rounds.begin(), rounds.begin() + static_cast<std::ptrdiff_t>(rounds.size() / 5));
+  const double count = static_cast<double>(rounds.size());
+  const double mean = std::accumulate(rounds.begin(), rounds.end(), 0.0) / count;
+  double squares = 0.0;
+  for (double pressure : rounds)
+  {
+    squares += (pressure - mean) * (pressure - mean);
+  }
+  return MeanPressure{ mean, std::sqrt(squares / (count * (count - 1.0))) };
+}
+
 namespace
 {
 // Measured on packs of one size, of two sizes up to 10:1 and of many
@@ -434,8 +461,9 @@ Estimate EstimateDensePack(const DensePackSettings& settings, double spheres)
   const double ofCollision = SecondsOfCollision * std::pow(Crowd(settings.Radii), 1.5) *
     (settings.Exchange ? 1.0 + ExchangeOverCollision : 1.0) *
     std::pow(std::max(spheres / SpheresInCache, 1.0), 0.15);
+  const double ofCache = std::pow(std::max(spheres / 1e4, 1.0), 0.15);
   Estimate estimate = { spheres *
-      (SecondsOfSoft(settings, start, start / maximum) +
+      (SecondsOfSoft(settings, start, start / maximum) * ofCache +
         0.5 * collisions * (1.0 + flights) * ofCollision),
     spheres * BytesOfSphere / BytesOfMegabyte, 0.0 };
   if (events && settings.Rate == 0.0)

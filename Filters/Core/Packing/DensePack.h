@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -67,6 +68,19 @@ struct GrowthStep
     return std::tie(self.Rate, self.Fraction, self.ReducedPressure, self.Collisions);
   }
 };
+
+/** A mean over the rounds of an equilibration. */
+struct MeanPressure
+{
+  double Value = 0.0;
+  double Error = 0.0; // standard
+};
+
+/**
+ * Returns the mean reduced pressure over the rounds without growth, or none where there are fewer
+ * than five. The first fifth of them is left out, in which a pack comes to equilibrium.
+ */
+std::optional<MeanPressure> FindMeanPressure(const std::vector<GrowthStep>& history);
 
 /** The state of a pack whose spheres collide, between two rounds of collisions. */
 struct DensePackState

@@ -71,6 +71,13 @@ void MeasureContacts(
 }
 }
 
+bool PackOrder::IsCrystalline() const
+{
+  // Of N pairs in random directions Q6^2 is 1 / N on average
+  const double pairs = static_cast<double>(this->Neighbours);
+  return this->Q6 > MostQ6 && this->Q6 * this->Q6 * pairs > 16.0;
+}
+
 PackOrder MeasureOrder(const SpherePack& pack, const Window& box, double tolerance)
 {
   PackOrder order;
@@ -81,7 +88,7 @@ PackOrder MeasureOrder(const SpherePack& pack, const Window& box, double toleran
   std::vector<int> contacts = CountWalls(pack, box, tolerance);
   std::vector<std::vector<std::size_t>> near(pack.Size());
   std::array<double, 2 * Degree + 1> sums{}; // m = 0, and the real and imaginary parts of others
-  std::int64_t bonds = 0;
+  std::int64_t& bonds = order.Neighbours;
   ForEachContact(pack, box, std::max(NeighbourReach, 1.0 + tolerance),
     [&](std::size_t i, std::size_t j, double dx, double dy, double dz, double d)
     {

@@ -4,6 +4,8 @@
 
 #include "ruc/Particles/SpherePack.h"
 
+#include <cstdint>
+
 namespace ruc
 {
 /** How the spheres of a pack touch, and how far they are from a crystal. */
@@ -22,6 +24,14 @@ struct PackOrder
    * 0 for a random pack.
    */
   double Q6 = 0.0;
+  /** The pairs of such neighbours. */
+  std::int64_t Neighbours = 0;
+
+  /** Above this Q6 a pack of many spheres is none at random. */
+  static constexpr double MostQ6 = 0.1;
+
+  /** Whether Q6 is above MostQ6, and above what so few pairs have by chance. */
+  bool IsCrystalline() const;
 };
 
 /**

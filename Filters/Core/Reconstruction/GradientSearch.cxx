@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -251,7 +252,9 @@ private:
   void Record(SearchPhase phase, double objective, double overlapPercent)
   {
     const int iteration = static_cast<int>(this->State.Convergence.size());
-    this->State.Convergence.push_back({ phase, iteration, objective, overlapPercent });
+    const std::vector<double>& forces = this->State.Contacts.Multiplier;
+    const double sum = std::accumulate(forces.begin(), forces.end(), 0.0);
+    this->State.Convergence.push_back({ phase, iteration, objective, overlapPercent, sum });
     this->Ask(this->State.Convergence.back());
   }
 

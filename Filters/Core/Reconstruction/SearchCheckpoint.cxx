@@ -12,7 +12,7 @@ namespace ruc
 namespace
 {
 constexpr std::string_view Format = "RUCSTATE";
-constexpr std::uint32_t Version = 3;
+constexpr std::uint32_t Version = 4;
 constexpr const char* What = "checkpoint";
 constexpr std::uint64_t GradientMethod = 1, PopulationMethod = 2;
 

@@ -59,11 +59,15 @@ struct SearchState
   int Iteration = 0;      // or generation
   double Objective = 0.0; // F2
   double OverlapPercent = 0.0;
+  /** Of the contacts of a dense cell (ContactMultipliers); 0 for others and before there are any.
+   */
+  double SumOfMultipliers = 0.0;
 
   template <class Self>
   static auto Fields(Self& self)
   {
-    return std::tie(self.Phase, self.Iteration, self.Objective, self.OverlapPercent);
+    return std::tie(
+      self.Phase, self.Iteration, self.Objective, self.OverlapPercent, self.SumOfMultipliers);
   }
 };
 }

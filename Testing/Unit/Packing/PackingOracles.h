@@ -6,6 +6,28 @@
 
 namespace oracle
 {
+// Calls visit(i, j, distance) for all pairs of nearest images in a periodic box
+template <class Visit>
+void ForEachPair(const ruc::SpherePack& pack, const ruc::Window& box, Visit&& visit)
+{
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    const ruc::Vector3 a = pack.Centre(i);
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const ruc::Vector3 b = pack.Centre(j);
+      double squares = 0.0;
+      for (int q = 0; q < 3; ++q)
+      {
+        double d = b[q] - a[q];
+        d -= box.Size[q] * std::round(d / box.Size[q]);
+        squares += d * d;
+      }
+      visit(i, j, std::sqrt(squares));
+    }
+  }
+}
+
 // The least of d - (a + b) over all pairs of nearest images, and of what walls leave, without any
 // grid of cells
 inline double LeastRoom(const ruc::SpherePack& pack, const ruc::Window& box)

@@ -120,6 +120,32 @@ TEST(DensePack, WallsAndOtherBoxes)
   EXPECT_NEAR(pack.Box.Size[2] / pack.Box.Size[0], 2.0, 1e-14);
 }
 
+// Carnahan and Starling (J. Chem. Phys. 51, 635, 1969)
+TEST(DensePack, TellsThePressureOfAFluid)
+{
+  ruc::DensePackSettings settings = Equal(300, 0.45);
+  settings.Equilibration = 2500.0;
+  const ruc::DensePack pack = ruc::MakeDensePack(settings, Always);
+  const std::optional<ruc::MeanPressure> pressure = ruc::FindMeanPressure(pack.History);
+  ASSERT_TRUE(pressure);
+  const double phi = 0.45;
+  const double expected =
+    (1.0 + phi + phi * phi - phi * phi * phi) / ((1.0 - phi) * (1.0 - phi) * (1.0 - phi));
+  EXPECT_NEAR(pressure->Value, expected, 3.0 * pressure->Error);
+  EXPECT_LT(pressure->Error, 0.01 * expected);
+  EXPECT_GT(pressure->Error, 0.0);
+  EXPECT_FALSE(ruc::FindMeanPressure({}));
+  EXPECT_FALSE(ruc::FindMeanPressure(ruc::MakeDensePack(Equal(100, 0.60), Always).History));
+  // The first fifth is left out, and what a step within a round repeats
+  std::vector<ruc::GrowthStep> steps;
+  for (double value : { 100.0, 3.0, 4.0, 4.0, 5.0, 6.0 })
+  {
+    steps.push_back({ 0.0, 0.4, value, 10.0 });
+  }
+  EXPECT_EQ(ruc::FindMeanPressure(steps)->Value, 4.5);
+  EXPECT_NEAR(ruc::FindMeanPressure(steps)->Error, std::sqrt(5.0 / 12.0), 1e-15);
+}
+
 TEST(DensePack, DependsOnTheSeedAlone)
 {
   ruc::DensePackSettings settings = Equal(200, 0.62);

@@ -45,6 +45,26 @@ Mean MeasurePressure(const std::vector<double>& radii, double fraction)
   return { mean, std::sqrt((squares / Blocks - mean * mean) / (Blocks - 1)) };
 }
 
+// g(r) of equal spheres in a cube, in bins of that part of a diameter up to 2.2 of them
+std::vector<double> RadialDistribution(
+  const ruc::SpherePack& pack, const ruc::Window& box, double bin)
+{
+  const double diameter = 2.0 * pack.Radius[0], count = static_cast<double>(pack.Size());
+  std::vector<double> g(static_cast<std::size_t>(2.2 / bin) + 1, 0.0);
+  oracle::ForEachPair(pack, box,
+    [&](std::size_t, std::size_t, double distance)
+    {
+      const auto n = static_cast<std::size_t>(distance / diameter / bin);
+      if (n < g.size())
+      {
+        const double room = 4.0 / 3.0 * oracle::Pi * std::pow(bin * diameter, 3) *
+          (std::pow(n + 1.0, 3) - std::pow(n, 3));
+        g[n] += box.Volume() / (0.5 * count * count * room);
+      }
+    });
+  return g;
+}
+
 std::vector<double> TwoSizes(int small, double a, int large, double b)
 {
   std::vector<double> radii(small, a);
@@ -94,6 +114,65 @@ TEST(HardSpheres, PressureOfTwoSizes)
     (3.0 - xi[3]) * xi[2] * xi[2] * xi[2] / (xi[0] * rest * rest * rest);
   EXPECT_NEAR(found.Value, expected, 3.0 * found.Error);
   EXPECT_LT(found.Error, 0.02 * expected);
+}
+
+// Boublik (J. Chem. Phys. 53, 471, 1970) and Mansoori et al.: how much more often than at random
+// two spheres of given sizes touch. Counted in shells of a fiftieth of the contact, and
+// extrapolated to it.
+TEST(HardSpheres, ContactsOfTwoSizes)
+{
+  constexpr int Small = 400, Large = 60, Blocks = 30, Snapshots = 12;
+  constexpr double Shell = 0.02;
+  const double phi = 0.40;
+  const std::vector<double> radii = TwoSizes(Small, 0.5, Large, 1.0);
+  const ruc::DensePack pack = SoftPack(radii, phi);
+  const double edge = pack.Box.Size[0], volume = edge * edge * edge;
+  ruc::HardSpheres spheres(pack.Pack, pack.Box, 1.0, { 1, false });
+  spheres.Equilibrate(300.0, Always);
+  std::array<double, 3> sum{}, squares{}; // small and small, small and large, large and large
+  for (int block = 0; block < Blocks; ++block)
+  {
+    std::array<std::array<double, 2>, 3> pairs{}; // in the two shells
+    for (int n = 0; n < Snapshots; ++n)
+    {
+      spheres.Equilibrate(10.0, Always);
+      oracle::ForEachPair(spheres.GetPack(), pack.Box,
+        [&](std::size_t i, std::size_t j, double distance)
+        {
+          const double gap = distance / (radii[i] + radii[j]) - 1.0;
+          if (gap < 2.0 * Shell)
+          {
+            ++pairs[(radii[i] > 0.5) + (radii[j] > 0.5)][gap < Shell ? 0 : 1];
+          }
+        });
+    }
+    const double atRandom[3] = { 0.5 * Small * (Small - 1), double(Small) * Large,
+      0.5 * Large * (Large - 1) };
+    for (int k = 0; k < 3; ++k)
+    {
+      const double contact = 1.0 + 0.5 * k;
+      const auto g = [&](int shell)
+      {
+        const double inner = contact * (1.0 + shell * Shell), outer = inner + contact * Shell;
+        const double room = 4.0 / 3.0 * oracle::Pi * (std::pow(outer, 3) - std::pow(inner, 3));
+        return pairs[k][shell] / Snapshots / (atRandom[k] * room / volume);
+      };
+      const double value = 1.5 * g(0) - 0.5 * g(1);
+      sum[k] += value / Blocks;
+      squares[k] += value * value / Blocks;
+    }
+  }
+  const double xi = oracle::Pi / 6.0 * (Small + 4.0 * Large) / volume;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double error = std::sqrt((squares[k] - sum[k] * sum[k]) / (Blocks - 1));
+    const double d = k == 0 ? 0.5 : k == 1 ? 2.0 / 3.0 : 1.0; // D_i D_j / (D_i + D_j)
+    const double expected = 1.0 / (1.0 - phi) + 3.0 * xi * d / ((1.0 - phi) * (1.0 - phi)) +
+      2.0 * xi * xi * d * d / std::pow(1.0 - phi, 3);
+    // What the line leaves out of the curve of g is below a hundredth
+    EXPECT_NEAR(sum[k], expected, 3.0 * error + 0.01 * expected) << k;
+    EXPECT_LT(error, 0.03 * expected) << k;
+  }
 }
 
 TEST(HardSpheres, CollisionsKeepEnergy)
@@ -191,4 +270,19 @@ TEST(HardSpheres, JammedSpheresAreIsostatic)
   EXPECT_GT(order.RattlerPercent, 1.0);
   EXPECT_LT(order.RattlerPercent, 15.0);
   EXPECT_LT(order.Q6, 0.1);
+
+  // The second peak of g(r) is split: at sqrt(3) and at 2 diameters, behind
+  // which it falls at once
+  const std::vector<double> g = RadialDistribution(jammed, pack.Box, 0.02);
+  const auto at = [&](double diameters) { return g[static_cast<std::size_t>(diameters / 0.02)]; };
+  const double third = at(1.733), second = at(1.99);
+  for (double elsewhere : { 1.61, 1.65, 1.69, 1.79, 1.83, 1.87 })
+  {
+    EXPECT_GT(third, 1.05 * at(elsewhere)) << elsewhere;
+  }
+  for (double elsewhere : { 1.81, 1.85, 1.89, 1.93, 2.03, 2.07, 2.11, 2.15 })
+  {
+    EXPECT_GT(second, 1.1 * at(elsewhere)) << elsewhere;
+  }
+  EXPECT_GT(second, 1.3 * at(2.01));
 }

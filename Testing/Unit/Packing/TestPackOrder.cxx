@@ -33,6 +33,25 @@ TEST(PackOrder, FaceCentredCubic)
   EXPECT_EQ(order.CoordinationNumber, 12.0);
   EXPECT_EQ(order.RattlerPercent, 0.0);
   EXPECT_NEAR(order.Q6, 0.57452, 1e-5);
+  EXPECT_EQ(order.Neighbours, 256 * 6);
+  EXPECT_TRUE(order.IsCrystalline());
+}
+
+// Some order is no crystal where there are few neighbours, and little order where there are many
+TEST(PackOrder, WhatIsACrystal)
+{
+  ruc::PackOrder order;
+  const auto isCrystalline = [&](double q6, std::int64_t neighbours)
+  {
+    order.Q6 = q6;
+    order.Neighbours = neighbours;
+    return order.IsCrystalline();
+  };
+  EXPECT_FALSE(isCrystalline(0.09, 1'000'000));
+  EXPECT_TRUE(isCrystalline(0.11, 7000));
+  EXPECT_FALSE(isCrystalline(0.2, 100));
+  EXPECT_TRUE(isCrystalline(0.57, 100));
+  EXPECT_FALSE(isCrystalline(0.0, 0));
 }
 
 TEST(PackOrder, SimpleCubic)

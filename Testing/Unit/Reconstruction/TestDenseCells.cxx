@@ -4,12 +4,14 @@
 #include "ruc/Packing/DensePack.h"
 #include "ruc/Reconstruction/ContactMultipliers.h"
 #include "ruc/Reconstruction/GradientSearch.h"
+#include "ruc/Reconstruction/Population/PopulationSearch.h"
 
 #include "SearchProblem.h"
 #include "ThreadRanks.h"
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 namespace
@@ -177,6 +179,37 @@ TEST(DenseCells, AreHardAndNearerThanTheirStart)
   EXPECT_EQ(cell.Objective,
     ruc::TwoPointDifference(
       TheDenseProblem().Target, ruc::SumPairs(cell.Pack, cell.Box, TheDenseProblem().Target.Lags)));
+}
+
+// What the ban on overlap costs is told once there are multipliers
+TEST(DenseCells, TellTheSumOfTheMultipliers)
+{
+  const WholeSearch& whole = TheWholeSearch();
+  EXPECT_EQ(whole.Cell->Convergence.front().SumOfMultipliers, 0.0);
+  // At the end of a round they are changed after the iteration is told
+  const auto withinRound = std::find_if(whole.States.rbegin(), whole.States.rend(),
+    [](const ruc::GradientState& state) { return state.Descent.Iterations % 40 == 20; });
+  ASSERT_NE(withinRound, whole.States.rend());
+  const std::vector<double>& multipliers = withinRound->Contacts.Multiplier;
+  EXPECT_EQ(withinRound->Convergence.back().SumOfMultipliers,
+    std::accumulate(multipliers.begin(), multipliers.end(), 0.0));
+  EXPECT_GT(whole.Cell->Convergence.back().SumOfMultipliers, 0.0);
+}
+
+TEST(DenseCells, AreNoneOfAPopulation)
+{
+  ruc::Communicator serial;
+  try
+  {
+    ruc::SearchByPopulation(
+      TheDenseProblem().Contents, TheDenseProblem().Target, {}, serial, CarryOn);
+    ADD_FAILURE();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("Method requires Gradient"), std::string::npos)
+      << error.what();
+  }
 }
 
 TEST(DenseCells, AreHardWhereverTheyAreStopped)

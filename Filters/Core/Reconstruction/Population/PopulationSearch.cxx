@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Reconstruction/Population/PopulationSearch.h"
 
+#include "ruc/Base/Text.h"
 #include "ruc/Packing/MassSpring.h"
+#include "ruc/Packing/MaximumFraction.h"
 #include "ruc/Packing/OverlapRemoval.h"
 #include "ruc/Reconstruction/CellObjective.h"
 #include "ruc/Reconstruction/CellStart.h"
@@ -13,11 +15,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace ruc
 {
 namespace
 {
+// Above this share of MaximumRandomFraction spheres that are pushed apart jam
+constexpr double PopulationShare = 0.98;
+
+void RequireLoose(const CellContents& contents)
+{
+  const double fraction = contents.Fraction(), maximum = MaximumRandomFraction(contents.Radii());
+  if (fraction > PopulationShare * maximum)
+  {
+    throw std::invalid_argument(Text("Method requires Gradient for a cell as dense as this one, of "
+                                     "a fraction of ",
+      fraction, " where random packs of these sizes reach about ", maximum,
+      ": the cells of a population would keep overlap."));
+  }
+}
+
 class Search
 {
 public:
@@ -475,6 +493,7 @@ PopulationResult SearchByPopulation(const CellContents& contents, const TwoPoint
   const std::function<void(const PopulationState&)>& save)
 {
   CheckSettings(settings);
+  RequireLoose(contents);
   Search search(contents, target, settings, communicator, carryOn, save);
   if (resume)
   {
