@@ -17,6 +17,19 @@ namespace
 constexpr double NearReach = 1.25, MostGone = 0.2;
 }
 
+bool ContactState::CanBe(int spheres) const
+{
+  bool can = this->Stiffness >= 0.0 && this->Stiffness <= 1e30 && this->Round >= 0 &&
+    this->Deepest >= 0.0 && this->First.size() == this->Second.size() &&
+    this->First.size() == this->Multiplier.size();
+  for (std::size_t n = 0; can && n < this->First.size(); ++n)
+  {
+    can = this->First[n] >= 0 && this->First[n] < this->Second[n] &&
+      this->Second[n]<spheres&& this->Multiplier[n]> 0.0 && std::isfinite(this->Multiplier[n]);
+  }
+  return can;
+}
+
 ContactMultipliers::ContactMultipliers(
   const SpherePack& spheres, const Window& box, ContactState& state)
   : Spheres(spheres)

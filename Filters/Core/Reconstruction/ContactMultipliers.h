@@ -20,6 +20,9 @@ struct ContactState
   std::vector<std::int32_t> First, Second;
   std::vector<double> Multiplier;
 
+  /** Whether the numbers of a state that was read can be those of a cell of so many spheres. */
+  bool CanBe(int spheres) const;
+
   template <class Self>
   static auto Fields(Self& self)
   {

@@ -46,6 +46,10 @@ constexpr double LeastSoftProgress = 0.02; // of F2 in IterationsOfRound
 constexpr double LeastOverlap = 3e-7;      // of a contact, that events take out without a trace
 constexpr double FirstStepIfDense = 0.1;
 constexpr double LongestEdge = 1.2; // of that of the contents, where spheres jam
+// Jammed spheres cannot be moved and freed again: their cell gets so much more room
+constexpr double RoomOfJammed = 1.0003; // of the edge
+// What is denser than random packs are on average jams also where it grows more slowly
+constexpr double RateOfDensest = 0.003;
 
 // Throws where no random pack is as dense as the cell
 bool IsDense(const std::vector<double>& radii, double fraction, double edge)
@@ -59,21 +63,6 @@ bool IsDense(const std::vector<double>& radii, double fraction, double edge)
   const double largest = 2.0 * *std::max_element(radii.begin(), radii.end());
   return radii.size() > 1 && fraction > DenseShare * maximum &&
     edge > SphereRooms::LeastEdgeInDiameters * largest * (1.0 + 1e-6);
-}
-
-// Whether the numbers of a state that was read can be those of a cell
-bool FitsCell(const ContactState& contacts, int spheres)
-{
-  bool fits = contacts.Stiffness >= 0.0 && contacts.Stiffness <= 1e30 && contacts.Round >= 0 &&
-    contacts.Deepest >= 0.0 && contacts.First.size() == contacts.Second.size() &&
-    contacts.First.size() == contacts.Multiplier.size();
-  for (std::size_t n = 0; fits && n < contacts.First.size(); ++n)
-  {
-    fits = contacts.First[n] >= 0 && contacts.First[n] < contacts.Second[n] &&
-      contacts.Second[n] < spheres && contacts.Multiplier[n] > 0.0 &&
-      std::isfinite(contacts.Multiplier[n]);
-  }
-  return fits;
 }
 
 class Search
@@ -121,7 +110,7 @@ public:
     }
     const double longest = this->Dense ? LongestEdge * this->Contents.Edge : this->Contents.Edge;
     if ((state.Contacts.Stiffness > 0.0) != this->Dense ||
-      !FitsCell(state.Contacts, this->Contents.NumberOfSpheres()) ||
+      !state.Contacts.CanBe(this->Contents.NumberOfSpheres()) ||
       !(state.Edge >= this->Contents.Edge && state.Edge <= longest))
     {
       throw std::invalid_argument("The contacts of the state are damaged or of another cell.");
@@ -225,6 +214,7 @@ private:
     settings.Fraction = this->Contents.Fraction();
     settings.Seed = this->Settings.Seed;
     settings.Protocol = PackingProtocol::Events;
+    settings.Rate = settings.Fraction > MaximumRandomFraction(settings.Radii) ? RateOfDensest : 0.0;
     const DensePack made = MakeDensePack(settings,
       [&](const GrowthStep&, double)
       {
@@ -237,7 +227,8 @@ private:
     }
     if (made.Jammed)
     {
-      this->Contents.Edge = std::min(made.Box.Size[0], LongestEdge * this->Contents.Edge);
+      this->Contents.Edge =
+        std::min(RoomOfJammed * made.Box.Size[0], LongestEdge * this->Contents.Edge);
     }
     std::vector<double> centres = CentresOf(made.Pack);
     for (double& c : centres)
