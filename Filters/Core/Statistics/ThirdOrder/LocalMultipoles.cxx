@@ -5,6 +5,7 @@
 #include "ruc/Base/FixedPoint.h"
 #include "ruc/Base/Vector3.h"
 #include "ruc/Base/VectorClones.h"
+#include "ruc/Statistics/ThirdOrder/LaneFactors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,25 +14,8 @@ namespace ruc
 {
 namespace
 {
-constexpr int Width = 8;
-// The alignment is stated, since that of GCC depends on the instruction set
-using Lanes =
-  double __attribute__((vector_size(Width * sizeof(double)), aligned(Width * sizeof(double))));
 constexpr int Steps = 2048; // of the table of Ewald's factors
-constexpr int LowestDegree = 2;
-// The highest degree beyond the near cut-off. A_6m falls as r^-5.
-constexpr int HighestOfFar = 6;
 constexpr int UnitBits = -38;
-
-// The part of a sum that is left near the cut-off; `ratio` is r / cut-off
-[[gnu::always_inline]] inline void SmoothEnd(const Lanes& ratio, Lanes& left)
-{
-  const Lanes zero = {};
-  const Lanes raw = (ratio - 0.7) * (1.0 / 0.3);
-  const Lanes low = raw < zero ? zero : raw;
-  const Lanes t = low > zero + 1.0 ? zero + 1.0 : low;
-  left = 1.0 - t * t * t * (10.0 - t * (15.0 - 6.0 * t));
-}
 }
 
 LocalMultipoles::Neighbours::Neighbours(const MultipoleSettings& settings)
@@ -43,7 +27,7 @@ LocalMultipoles::Neighbours::Neighbours(const MultipoleSettings& settings)
 
 void LocalMultipoles::Neighbours::Start(double radius)
 {
-  this->Radius = radius;
+  this->Count = 0;
   this->Inverse = 1.0 / radius;
   for (std::vector<List>* lists : { &this->Near, &this->Far })
   {
@@ -53,6 +37,7 @@ void LocalMultipoles::Neighbours::Start(double radius)
       list.Y.clear();
       list.Z.clear();
       list.Radius.clear();
+      list.Order.clear();
     }
   }
 }
@@ -65,6 +50,7 @@ void LocalMultipoles::Neighbours::Add(
   list.Y.push_back(dy * this->Inverse);
   list.Z.push_back(dz * this->Inverse);
   list.Radius.push_back(radius * this->Inverse);
+  list.Order.push_back(this->Count++);
 }
 
 // What the sums of one centre and one source need
@@ -92,7 +78,7 @@ inline void LocalMultipoles::Kernel::FindFactors(
   const Lanes& ratio, Lanes& second, Lanes& fourth) const
 {
   const Lanes place = ratio * ratio * Steps;
-  for (int k = 0; k < Width; ++k)
+  for (int k = 0; k < NumberOfLanes; ++k)
   {
     const int step = std::min(static_cast<int>(place[k]), Steps - 1);
     const double t = place[k] - step;
@@ -121,15 +107,15 @@ inline void LocalMultipoles::Kernel::AddLanes(
 {
   const Lanes square = x * x + y * y + z * z;
   Lanes r;
-  for (int k = 0; k < Width; ++k)
+  for (int k = 0; k < NumberOfLanes; ++k)
   {
     r[k] = std::sqrt(square[k]);
   }
   Lanes real[HarmonicCount(GreatestDegree)], imaginary[HarmonicCount(GreatestDegree)];
   FindHarmonics<Lanes>(degree, x, y, z, 1.0 / r, real, imaginary);
   Lanes low, high;
-  SmoothEnd(r * (1.0 / this->CutOff), low);
-  SmoothEnd(r * (1.0 / this->NearCutOff), high);
+  FindSmoothEnd(r * (1.0 / this->CutOff), low);
+  FindSmoothEnd(r * (1.0 / this->NearCutOff), high);
   Lanes second = low, fourth = low;
   if (this->Factors)
   {
@@ -154,18 +140,10 @@ RUC_VECTOR_CLONES
 void LocalMultipoles::Kernel::Add(const Neighbours::List& list, int degree)
 {
   const std::size_t size = list.X.size();
-  for (std::size_t from = 0; from < size; from += Width)
+  for (std::size_t from = 0; from < size; from += NumberOfLanes)
   {
     Lanes x, y, z, radius;
-    for (int k = 0; k < Width; ++k)
-    {
-      // Lanes without a sphere repeat one, as a sphere without volume
-      const std::size_t j = std::min(from + k, size - 1);
-      x[k] = list.X[j];
-      y[k] = list.Y[j];
-      z[k] = list.Z[j];
-      radius[k] = from + k < size ? list.Radius[j] : 0.0;
-    }
+    LoadLanes(list, from, x, y, z, radius);
     this->AddLanes(x, y, z, radius, degree);
   }
 }
@@ -215,7 +193,7 @@ void LocalMultipoles::Sum(const Neighbours& around, double* sums) const
     for (std::size_t n = 0; n < kinds; ++n)
     {
       double sum = 0.0;
-      for (int k = 0; k < Width; ++k)
+      for (int k = 0; k < NumberOfLanes; ++k)
       {
         sum += lanes[n][k];
       }

@@ -63,15 +63,19 @@ public:
      */
     void Add(double dx, double dy, double dz, double d2, double radius, int source);
 
-    double OwnRadius() const { return this->Radius; }
+    /** How many have been added. */
+    std::size_t Size() const { return this->Count; }
 
-  private:
-    friend class LocalMultipoles;
     struct List
     {
       std::vector<double> X, Y, Z, Radius;
+      std::vector<std::size_t> Order; // when each was added
     };
-    double Radius = 1.0, Inverse = 1.0, Near2;
+
+  private:
+    friend class LocalMultipoles;
+    double Inverse = 1.0, Near2;
+    std::size_t Count = 0;
     std::vector<List> Near, Far; // for every source those within the near cut-off and those beyond
   };
 
@@ -84,6 +88,14 @@ public:
 
   /** Puts the multipoles of a centre, but for the far part of Ewald's sum, into `sums`. */
   void Sum(const Neighbours& around, double* sums) const;
+
+  /**
+   * Puts the gradients of the sum of lambda times the numbers q of a centre by the places of its
+   * neighbours into `forces`: three numbers for each, in the order in which they were added. The
+   * gradient by the place of the centre is the opposite of their sum. The far part of Ewald's sum
+   * has its own (ThirdOrderEwald::AddForces); A does not count.
+   */
+  void FindForces(const Neighbours& around, const double* lambda, double* forces) const;
 
 private:
   struct Kernel;

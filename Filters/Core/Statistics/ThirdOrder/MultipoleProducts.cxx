@@ -66,6 +66,22 @@ void MultipoleProducts::Second(const double* sums, int s, int t, double* ofDegre
   }
 }
 
+void MultipoleProducts::AddGradient(
+  const double* sums, int s, int t, const double* mu, double* gradient) const
+{
+  const std::size_t ofS = s * this->Multipoles.SizeOfSource();
+  const std::size_t ofT = t * this->Multipoles.SizeOfSource();
+  for (int l = 2; l <= this->Multipoles.GetSettings().Degree; ++l)
+  {
+    for (int n = 2 * HarmonicPlace(l, 0); n < 2 * HarmonicPlace(l + 1, 0); ++n)
+    {
+      const double factor = mu[l - 2] * l * (l - 1.0) * this->Weights[n / 2];
+      gradient[ofS + n] += factor * sums[ofT + n];
+      gradient[ofT + n] += factor * sums[ofS + n];
+    }
+  }
+}
+
 double MultipoleProducts::Fourth(const double* sums, int s, int t) const
 {
   if (!this->Multipoles.GetSettings().WithFourth)

@@ -28,6 +28,11 @@ public:
 
   /** Second(l) of all degrees from 2 on, from the multipoles of one centre. */
   void Second(const double* sums, int s, int t, double* ofDegrees) const;
+  /**
+   * Adds the gradient of the sum over the degrees of mu times Second(l) by the numbers q of the
+   * centre to `gradient`. `mu` has a number for every degree from 2 on.
+   */
+  void AddGradient(const double* sums, int s, int t, const double* mu, double* gradient) const;
   /** Fourth(l), summed over the degrees; 0 without A. */
   double Fourth(const double* sums, int s, int t) const;
 

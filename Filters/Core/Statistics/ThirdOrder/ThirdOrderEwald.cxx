@@ -4,6 +4,7 @@
 
 #include "ruc/Base/FixedPoint.h"
 #include "ruc/Base/VectorClones.h"
+#include "ruc/Statistics/ThirdOrder/LaneFactors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,22 @@ namespace ruc
 namespace
 {
 constexpr int Width = ThirdOrderEwald::Block;
-// The alignment is stated, since that of GCC depends on the instruction set
-using Lanes =
-  double __attribute__((vector_size(Width * sizeof(double)), aligned(Width * sizeof(double))));
+static_assert(Width == NumberOfLanes);
 
 double Cube(double a)
 {
   return a * a * a;
+}
+
+// The cubes of the radii of a block; lanes without a sphere have 0
+std::array<double, Width> CubesOf(const PackShare& share, const std::size_t* block, int count)
+{
+  std::array<double, Width> cubes{};
+  for (int lane = 0; lane < count; ++lane)
+  {
+    cubes[lane] = Cube(share.Own.Radius[block[lane]]);
+  }
+  return cubes;
 }
 
 struct Complex
@@ -125,16 +135,93 @@ void AddFar(const std::vector<ThirdOrderEwald::Row>& rows, const ThirdOrderEwald
       }
     });
 }
+
+// lambda of q_2m of a block for one source
+struct Lambdas
+{
+  Lanes Of[5];
+};
+
+// sum over m of lambda_m times the factor of a wave
+[[gnu::always_inline]] inline void FindTurned(
+  const ThirdOrderEwald::Wave& wave, const Lambdas& lambda, Lanes& turned)
+{
+  turned = lambda.Of[0] * wave.Second[0];
+  for (int m = 1; m < 5; ++m)
+  {
+    turned += lambda.Of[m] * wave.Second[m];
+  }
+}
+
+// Adds lambda e^(i k x) of a block to the sums of all waves, each term rounded
+RUC_VECTOR_CLONES
+void AddTurned(const std::vector<ThirdOrderEwald::Row>& rows, const ThirdOrderEwald::Wave* waves,
+  const Tables& tables, const Lambdas& lambda, double rounding, Complex* sums)
+{
+  const Lanes rounder = Lanes{} + rounding;
+  ForEachWave(
+    rows, tables, [&](std::size_t n, const Complex& e) __attribute__((always_inline)) {
+      Lanes turned;
+      FindTurned(waves[n], lambda, turned);
+      sums[n].Real += (turned * e.Real + rounder) - rounder;
+      sums[n].Imaginary += (turned * e.Imaginary + rounder) - rounder;
+    });
+}
+
+// Adds the forces on a block through its own phases e^(-i k x), as centres of one source
+RUC_VECTOR_CLONES
+void AddForcesOnCentres(const std::vector<ThirdOrderEwald::Row>& rows,
+  const ThirdOrderEwald::Wave* waves, const Tables& tables, const Lambdas& lambda,
+  const double* structure, Lanes* forces)
+{
+  ForEachWave(
+    rows, tables, [&](std::size_t n, const Complex& e) __attribute__((always_inline)) {
+      Lanes turned;
+      FindTurned(waves[n], lambda, turned);
+      turned *= e.Real * structure[2 * n + 1] - e.Imaginary * structure[2 * n];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        forces[axis] += turned * waves[n].K[axis];
+      }
+    });
+}
+
+// Adds the forces on a block through its part in S(k); `turned` are the sums of AddTurned
+RUC_VECTOR_CLONES
+void AddForcesOnSources(const std::vector<ThirdOrderEwald::Row>& rows,
+  const ThirdOrderEwald::Wave* waves, const Tables& tables, const double* cubes,
+  const double* turned, Lanes* forces)
+{
+  Lanes cube;
+  std::copy(cubes, cubes + Width, reinterpret_cast<double*>(&cube));
+  ForEachWave(
+    rows, tables, [&](std::size_t n, const Complex& e) __attribute__((always_inline)) {
+      const Lanes force = cube * (e.Real * turned[2 * n + 1] - e.Imaginary * turned[2 * n]);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        forces[axis] += force * waves[n].K[axis];
+      }
+    });
+}
 }
 
 ThirdOrderEwald::ThirdOrderEwald(const PackShare& share, const std::vector<int>& source,
   const MultipoleSettings& settings, Communicator& ranks)
   : Share(share)
   , Sources(settings.Sources)
+  , Spheres(settings.Sources)
   , WithFourth(settings.WithFourth)
 {
+  for (std::size_t i = 0; i < source.size(); ++i)
+  {
+    this->Spheres[source[i]].push_back(i);
+  }
   this->FindWaves(settings);
-  this->SumStructure(source, ranks);
+  const double cubes =
+    std::accumulate(share.Volume.begin(), share.Volume.end(), 0.0) * 3.0 / (4.0 * Pi);
+  this->Structure = this->SumWaves(this->Spheres, std::ilogb(cubes) + 1 - 50, ranks,
+    [&](int, const std::size_t* block, int count, const auto& tables, double rounding, auto* sums)
+    { AddStructure(this->Rows, tables, CubesOf(share, block, count).data(), rounding, sums); });
 }
 
 double ThirdOrderEwald::NumberOfWaves(const Window& box, const MultipoleSettings& settings)
@@ -186,6 +273,7 @@ void ThirdOrderEwald::AddWave(const Vector3& k, double k2, double alpha)
   const double second = -8.0 * Pi / (3.0 * volume) * std::exp(-x);
   const double fourth = -16.0 * Pi / (105.0 * volume) * std::exp(-x) * (1.0 + x);
   Wave& wave = this->Waves.emplace_back();
+  wave.K = k;
   for (int n = 0; n < 5; ++n)
   {
     wave.Second[n] =
@@ -198,17 +286,11 @@ void ThirdOrderEwald::AddWave(const Vector3& k, double k2, double alpha)
   }
 }
 
-void ThirdOrderEwald::SumStructure(const std::vector<int>& source, Communicator& ranks)
+template <class AddBlock>
+std::vector<double> ThirdOrderEwald::SumWaves(const std::vector<std::vector<std::size_t>>& spheres,
+  int unit, Communicator& ranks, AddBlock&& add) const
 {
   const std::size_t waves = this->Waves.size();
-  const double cubes =
-    std::accumulate(this->Share.Volume.begin(), this->Share.Volume.end(), 0.0) * 3.0 / (4.0 * Pi);
-  const int unit = std::ilogb(cubes) + 1 - 50;
-  std::vector<std::vector<std::size_t>> spheres(this->Sources);
-  for (std::size_t i = 0; i < source.size(); ++i)
-  {
-    spheres[source[i]].push_back(i);
-  }
   std::vector<std::int64_t> sums(2 * waves * this->Sources, 0);
   for (int s = 0; s < this->Sources; ++s)
   {
@@ -222,12 +304,7 @@ void ThirdOrderEwald::SumStructure(const std::vector<int>& source, Communicator&
         const std::size_t* block = &spheres[s][b * Block];
         const int count =
           static_cast<int>(std::min<std::size_t>(Block, spheres[s].size() - b * Block));
-        double cube[Block] = {};
-        for (int lane = 0; lane < count; ++lane)
-        {
-          cube[lane] = Cube(this->Share.Own.Radius[block[lane]]);
-        }
-        AddStructure(this->Rows, Tables(this->Share, block, count, this->Most), cube,
+        add(s, block, count, Tables(this->Share, block, count, this->Most),
           std::ldexp(FixedPointRounder, unit), own.data());
       }
 #pragma omp critical
@@ -243,9 +320,10 @@ void ThirdOrderEwald::SumStructure(const std::vector<int>& source, Communicator&
     }
   }
   ranks.Sum(sums.data(), sums.size());
-  this->Structure.resize(sums.size());
-  std::transform(sums.begin(), sums.end(), this->Structure.begin(),
+  std::vector<double> values(sums.size());
+  std::transform(sums.begin(), sums.end(), values.begin(),
     [&](std::int64_t sum) { return std::ldexp(static_cast<double>(sum), unit); });
+  return values;
 }
 
 void ThirdOrderEwald::Add(
@@ -273,6 +351,79 @@ void ThirdOrderEwald::Add(
       if (this->WithFourth)
       {
         add(4, fourth, own + multipoles.Count());
+      }
+    }
+  }
+}
+
+void ThirdOrderEwald::AddForces(const std::vector<double>& lambda,
+  const LocalMultipoles& multipoles, std::vector<double>& forces, Communicator& ranks) const
+{
+  const auto find = [&](int s, const std::size_t* block, int count)
+  {
+    Lambdas of = {};
+    for (int lane = 0; lane < count; ++lane)
+    {
+      const double* own = &lambda[block[lane] * multipoles.Size() + s * multipoles.SizeOfSource()] +
+        2 * HarmonicPlace(2, 0);
+      for (int n = 0; n < 5; ++n)
+      {
+        // The imaginary part of m = 0 has no number
+        of.Of[n][lane] = own[n > 0 ? n + 1 : 0];
+      }
+    }
+    return of;
+  };
+  // No sum is larger than that of all spheres
+  double largest = 0.0, factor = 0.0;
+  for (double value : lambda)
+  {
+    largest = std::max(largest, std::abs(value));
+  }
+  for (const Wave& wave : this->Waves)
+  {
+    for (double value : wave.Second)
+    {
+      factor = std::max(factor, std::abs(value));
+    }
+  }
+  largest = -largest;
+  ranks.Minimum(&largest, 1);
+  const double most = -largest * factor * 5.0 * static_cast<double>(this->Share.NumberOfSpheres);
+  if (most == 0.0)
+  {
+    return;
+  }
+  std::vector<std::size_t> all(this->Share.Own.Size());
+  std::iota(all.begin(), all.end(), 0);
+  const std::vector<double> turned = this->SumWaves(
+    std::vector<std::vector<std::size_t>>(this->Sources, all), std::ilogb(most) + 1 - 50, ranks,
+    [&](int s, const std::size_t* block, int count, const auto& tables, double rounding, auto* sums)
+    { AddTurned(this->Rows, this->Waves.data(), tables, find(s, block, count), rounding, sums); });
+  for (int own = 0; own < this->Sources; ++own)
+  {
+    const std::vector<std::size_t>& spheres = this->Spheres[own];
+    const std::int64_t blocks = (spheres.size() + Block - 1) / Block;
+#pragma omp parallel for schedule(dynamic)
+    for (std::int64_t b = 0; b < blocks; ++b)
+    {
+      const std::size_t* block = &spheres[b * Block];
+      const int count = static_cast<int>(std::min<std::size_t>(Block, spheres.size() - b * Block));
+      const Tables tables(this->Share, block, count, this->Most);
+      Lanes found[3] = {};
+      for (int s = 0; s < this->Sources; ++s)
+      {
+        AddForcesOnCentres(this->Rows, this->Waves.data(), tables, find(s, block, count),
+          &this->Structure[2 * s * this->Waves.size()], found);
+      }
+      AddForcesOnSources(this->Rows, this->Waves.data(), tables,
+        CubesOf(this->Share, block, count).data(), &turned[2 * own * this->Waves.size()], found);
+      for (int lane = 0; lane < count; ++lane)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          forces[3 * block[lane] + axis] += found[axis][lane];
+        }
       }
     }
   }

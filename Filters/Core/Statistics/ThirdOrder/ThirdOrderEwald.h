@@ -53,9 +53,18 @@ public:
   /** About the number of wave vectors for a box, half of those that there are. */
   static double NumberOfWaves(const Window& box, const MultipoleSettings& settings);
 
+  /**
+   * Adds the gradient of sum over the own centres of lambda times the far part of q to `forces`,
+   * three numbers for every own sphere. `lambda` has the numbers of LocalMultipoles for every
+   * sphere of the share, which are 0 off the centres; those of A do not count. Collective.
+   */
+  void AddForces(const std::vector<double>& lambda, const LocalMultipoles& multipoles,
+    std::vector<double>& forces, Communicator& ranks) const;
+
   /** A wave vector and what it is multiplied by: one of each pair k, -k. */
   struct Wave
   {
+    Vector3 K;
     // The factors of q_20, of the real and imaginary parts of q_21 and q_22, and those of A_4m
     std::array<double, 5> Second;
     std::array<double, 9> Fourth;
@@ -71,10 +80,16 @@ public:
 private:
   void FindWaves(const MultipoleSettings& settings);
   void AddWave(const Vector3& k, double k2, double alpha);
-  void SumStructure(const std::vector<int>& source, Communicator& ranks);
+  // Sums of complex numbers over spheres for every source and wave, in units of 2^unit: `spheres`
+  // are those that count for each source, and add(source, block, count, tables, rounding, sums)
+  // adds a block of them
+  template <class AddBlock>
+  std::vector<double> SumWaves(const std::vector<std::vector<std::size_t>>& spheres, int unit,
+    Communicator& ranks, AddBlock&& add) const;
 
   const PackShare& Share;
   int Sources;
+  std::vector<std::vector<std::size_t>> Spheres; // the own spheres of every source
   bool WithFourth;
   std::array<int, 3> Most; // the largest number of waves along each edge
   std::vector<Wave> Waves;
