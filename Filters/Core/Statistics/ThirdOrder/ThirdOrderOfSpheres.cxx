@@ -28,6 +28,8 @@ constexpr double DeepestOverlap = 0.1;
 // cut-off keeps alpha, so that the accuracy grows with it.
 constexpr double EwaldSharpness = 3.2;
 constexpr double MostEwaldTerms = 4e9; // spheres times wave vectors
+constexpr double MostWaves = 5e5;
+constexpr double MostNeighbours = 1e5;
 
 double SphereFraction(const PackShare& share)
 {
@@ -145,7 +147,8 @@ MultipoleSettings FindSettings(const ThirdOrderSettings& settings, const Window&
   {
     const double usual = AutomaticCutOff(meanDiameter, 2.0 * largestRadius, fraction);
     found.Alpha = EwaldSharpness / std::min(found.CutOff, usual);
-    if (ThirdOrderEwald::NumberOfWaves(observed, found) * spheres > MostEwaldTerms)
+    const double waves = ThirdOrderEwald::NumberOfWaves(observed, found);
+    if (waves > MostWaves || waves * spheres > MostEwaldTerms)
     {
       found.Alpha = 0.0;
     }
@@ -159,6 +162,11 @@ void CheckPack(const PackShare& share, const ThirdOrderSettings& settings, Commu
     Text("at most ", MostSources, " modes as phases"), share.NumberOfModes());
   Require(settings.CutOff == 0.0 || settings.CutOff >= 4.0 * share.LargestRadius, "CutOff",
     Text("at least two diameters of the largest sphere, ", 4.0 * share.LargestRadius),
+    settings.CutOff);
+  const double density = static_cast<double>(share.NumberOfSpheres) / share.Observed.Volume();
+  const double longest = std::cbrt(MostNeighbours / (SphereVolume(1.0) * density));
+  Require(settings.CutOff <= longest, "CutOff",
+    Text("at most ", longest, ", where a centre has some ", MostNeighbours, " neighbours"),
     settings.CutOff);
   const double fraction = SphereFraction(share);
   Require(fraction < 1.0, "The third order", "spheres that fill less than the window",
@@ -405,8 +413,11 @@ Estimate EstimateThirdOrder(const PackFigures& pack, const ThirdOrderSettings& s
   {
     const double waves = ThirdOrderEwald::NumberOfWaves(pack.Observed, found);
     estimate.Seconds += 2.0 * pack.Spheres * waves * sources * secondsPerWave;
-    estimate.MegabytesOfRank = waves * 8.0 * (14.0 + 2.0 * sources) / BytesOfMegabyte;
+    estimate.MegabytesOfRank = waves * (300.0 + 32.0 * sources) / BytesOfMegabyte;
   }
+  // The sums over centres, of which every thread has its own
+  const double sums = settings.Blocks * (2.0 * NumberOfTriples(sources) + 9.0 * settings.Slabs);
+  estimate.MegabytesOfRank += 64.0 * sums / BytesOfMegabyte;
   estimate.MegabytesOfAll = pack.Spheres * 200.0 / BytesOfMegabyte;
   if (settings.CutOff == 0.0)
   {

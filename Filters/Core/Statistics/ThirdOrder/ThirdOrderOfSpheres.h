@@ -18,8 +18,9 @@ struct ThirdOrderSettings
 {
   /**
    * Spheres closer to a centre than this count: in the degrees above 6 up to three quarters of it.
-   * At least two largest diameters. 0 stands for four mean diameters, more where the spheres are
-   * sparse or of very different sizes (AutomaticCutOff).
+   * At least two largest diameters, and at most where a centre has 100 000 neighbours. 0 stands for
+   * four mean diameters, more where the spheres are sparse or of very different sizes
+   * (AutomaticCutOff).
    */
   double CutOff = 0.0;
   int MaximumDegree = 10; // from 4 to GreatestDegree of SolidHarmonics.h

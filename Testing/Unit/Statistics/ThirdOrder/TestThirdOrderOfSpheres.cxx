@@ -475,6 +475,7 @@ TEST(ThirdOrderOfSpheres, Refusals)
   refuses(pack, box, with([](auto& s) { s.CutOff = -1.0; }), "CutOff requires CutOff >= 0");
   refuses(
     pack, box, with([](auto& s) { s.CutOff = 2.0; }), "CutOff requires at least two diameters");
+  refuses(pack, box, with([](auto& s) { s.CutOff = 60.0; }), "CutOff requires at most 54.1926");
   refuses(pack, box, with([](auto& s) { s.MaximumDegree = 3; }), "MaximumDegree requires");
   refuses(pack, box, with([](auto& s) { s.MaximumDegree = 15; }), "MaximumDegree requires");
   refuses(pack, box, with([](auto& s) { s.Blocks = 1; }), "Blocks requires");
