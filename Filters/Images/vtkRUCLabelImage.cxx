@@ -204,6 +204,20 @@ void vtkRUCLabelImage::RequireAnnounced(const ruc::VoxelGrid& grid) const
       this->Announced[2]));
 }
 
+std::int64_t vtkRUCLabelImage::CheckIds(const ruc::SpherePack& spheres, RankCommunicator& ranks)
+{
+  const std::int64_t raise = ruc::FindRaise(spheres, ranks);
+  const std::int64_t repeated = ruc::CountRepeatedIds(spheres, ranks);
+  if (repeated > 0 && ranks.Rank() == 0)
+  {
+    vtkWarningMacro(
+      << repeated
+      << " spheres have the Id of another one, such as that of which they are a copy; "
+         "ParticleId does not tell them apart.");
+  }
+  return raise;
+}
+
 void vtkRUCLabelImage::Execute(
   vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
@@ -223,7 +237,7 @@ void vtkRUCLabelImage::Execute(
   VoxelOutput::SetPiece(image, grid, onPoints, ranks);
   const double overlap = this->CheckOverlap(share, false, ranks);
 
-  const std::int64_t raise = this->ParticleIds ? ruc::FindRaise(spheres, ranks) : 0;
+  const std::int64_t raise = this->ParticleIds ? this->CheckIds(spheres, ranks) : 0;
   const ruc::LabelArrays arrays = this->AddArrays(image, share.NumberOfModes());
   const ruc::LabelImage labels(grid, block,
     ruc::SpheresOfBlock(spheres, share.Observed, grid, block, raise, ranks), share.NumberOfModes(),

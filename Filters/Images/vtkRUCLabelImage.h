@@ -32,6 +32,8 @@
 #include "RUCImagesModule.h"
 #include "vtkRUCPackAlgorithm.h"
 
+#include <cstdint>
+
 #include <array>
 
 class vtkImageData;
@@ -41,6 +43,7 @@ class LabelImage;
 struct LabelArrays;
 struct LabelSettings;
 struct PackTotals;
+struct SpherePack;
 struct VoxelBlock;
 struct VoxelGrid;
 class Window;
@@ -142,6 +145,8 @@ private:
   ruc::VoxelGrid MakeGrid(const ruc::Window& window, double meanDiameter) const;
   // Returns the grid of the pack, which is asked of the filters upstream. Collective
   ruc::VoxelGrid FindGrid(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  // Returns by how much Ids are raised, and warns where some are repeated
+  std::int64_t CheckIds(const ruc::SpherePack& spheres, RankCommunicator& ranks);
   void RequireRoom(
     const ruc::VoxelBlock& block, const ruc::PackTotals& totals, RankCommunicator& ranks) const;
   // Adds the arrays, which are not yet set

@@ -106,6 +106,25 @@ std::int64_t FindRaise(const SpherePack& piece, Communicator& ranks)
   return static_cast<std::int64_t>(raise);
 }
 
+std::int64_t CountRepeatedIds(const SpherePack& piece, Communicator& ranks)
+{
+  const std::size_t size = ranks.Size();
+  std::vector<std::vector<std::int64_t>> outgoing(size);
+  for (std::int64_t id : piece.Id)
+  {
+    outgoing[static_cast<std::uint64_t>(id) % size].push_back(id);
+  }
+  std::vector<std::int64_t> ids;
+  for (const std::vector<std::int64_t>& of : ranks.AllToAll(std::move(outgoing)))
+  {
+    ids.insert(ids.end(), of.begin(), of.end());
+  }
+  std::sort(ids.begin(), ids.end());
+  std::int64_t repeated = ids.end() - std::unique(ids.begin(), ids.end());
+  ranks.Sum(&repeated, 1);
+  return repeated;
+}
+
 SpherePack SpheresOfBlock(const SpherePack& piece, const Window& window, const VoxelGrid& grid,
   const VoxelBlock& block, std::int64_t raised, Communicator& ranks)
 {

@@ -53,6 +53,10 @@ void ValidateLabels(const LabelSettings& settings, int modes);
  */
 std::int64_t FindRaise(const SpherePack& piece, Communicator& ranks);
 
+/** Returns how many spheres of all ranks have the Id of another one, but for the first of each Id.
+ * Collective. */
+std::int64_t CountRepeatedIds(const SpherePack& piece, Communicator& ranks);
+
 /**
  * Returns the spheres that reach this rank's block of voxels, with those of their images along
  * periodic axes that do, from the pieces of a pack that the ranks hold. They come in the order in

@@ -31,14 +31,15 @@ void WantEverything(LabelImage* filter)
 }
 
 // The pack, dealt out in turn, with ids from `first`
-vtkSmartPointer<vtkPolyData> PackWithIds(vtkIdType first)
+// So many spheres, in their order, have one Id
+vtkSmartPointer<vtkPolyData> PackWithIds(vtkIdType first, vtkIdType ofOneId = 1)
 {
   const auto data = MakePolyData(FewSizes(), Edge, true, IsMine);
   vtkNew<vtkIntArray> id;
   id->SetName("Id");
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    id->InsertNextValue(static_cast<int>(first + i * NumberOfRanks() + Rank()));
+    id->InsertNextValue(static_cast<int>(first + (i * NumberOfRanks() + Rank()) / ofOneId));
   }
   data->GetPointData()->AddArray(id);
   return data;
@@ -275,6 +276,26 @@ TEST(LabelImage, TheSizeOfVoxelsIsThatOfTheSpheresOfAllRanks)
   // The mean diameter by volume, 0.4 Edge / cbrt(4), has 20 voxels
   const long long n = std::lround(20.0 * std::cbrt(4.0) / 0.4);
   EXPECT_EQ(Total(ImageOf(filter)->GetNumberOfCells()), n * n * n);
+}
+
+TEST(LabelImage, WarnsOfIdsThatAreRepeated)
+{
+  for (int ofOneId : { 1, 2, 5 })
+  {
+    vtkNew<LabelImage> filter;
+    const Warnings warnings(filter);
+    filter->SetInputData(PackWithIds(1, ofOneId));
+    filter->SetDimensions(10, 10, 10);
+    filter->SetParticleIds(true);
+    filter->Update();
+    const std::size_t last = warnings.Texts.size();
+    EXPECT_EQ(last, Rank() == 0 && ofOneId > 1 ? 1u : 0u);
+    if (last > 0)
+    {
+      ExpectParts(warnings.Texts[0],
+        { std::to_string(600 - 600 / ofOneId) + " spheres have the Id of another one" });
+    }
+  }
 }
 
 TEST(LabelImage, AStoppedRunHasNoImage)
