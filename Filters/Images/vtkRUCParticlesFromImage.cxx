@@ -371,10 +371,15 @@ ruc::Estimate vtkRUCParticlesFromImage::EstimateOf(const ruc::VoxelGrid& grid, i
 std::optional<ruc::Estimate> vtkRUCParticlesFromImage::MakeEstimate()
 {
   this->ValidateProperties();
-  const ruc::VoxelGrid grid = LabelInput::FindGridHere(*this);
+  ruc::VoxelGrid grid = LabelInput::FindGridHere(*this);
   if (grid.Voxels() == 0.0 || grid.VoxelVolume() == 0.0)
   {
     return {};
+  }
+  if (this->VoxelsInInput > 0)
+  {
+    grid.Dimensions.fill(
+      static_cast<int>(std::ceil(std::cbrt(static_cast<double>(this->VoxelsInInput)))));
   }
   const RankCommunicator ranks(this->GetController());
   ruc::Estimate estimate = this->EstimateOf(grid, ranks.Size());
@@ -402,4 +407,5 @@ void vtkRUCParticlesFromImage::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BorderParticles: " << this->BorderParticles << "\n";
   os << indent << "LengthUnit: " << this->LengthUnit << "\n";
   os << indent << "Residual: " << this->Residual << "\n";
+  os << indent << "VoxelsInInput: " << this->VoxelsInInput << "\n";
 }

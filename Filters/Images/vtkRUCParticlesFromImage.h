@@ -175,6 +175,16 @@ public:
   vtkBooleanMacro(Residual, bool);
   ///@}
 
+  ///@{
+  /**
+   * The number of voxels that the input has on all ranks, for the estimates alone, which then are
+   * those of a cube of them; setting it does not modify the filter. Default: 0, which stands for
+   * those of the input.
+   */
+  void SetVoxelsInInput(vtkIdType number) { this->VoxelsInInput = number; }
+  vtkIdType GetVoxelsInInput() const { return this->VoxelsInInput; }
+  ///@}
+
 protected:
   vtkRUCParticlesFromImage();
   ~vtkRUCParticlesFromImage() override = default;
@@ -224,6 +234,7 @@ private:
   int BorderParticles = CENTRES_INSIDE;
   std::string LengthUnit;
   bool Residual = false;
+  vtkIdType VoxelsInInput = 0;
 };
 
 #endif

@@ -441,6 +441,11 @@ TEST(ParticlesFromImage, TellsWhatARunTakes)
   EXPECT_GT(filter->GetEstimatedTime(), 0.0);
   EXPECT_NEAR(filter->GetEstimatedMemory(), 16e-6 * Size[0] * Size[1] * Size[2], 1e-9);
   EXPECT_STREQ(filter->GetAutomaticValues(), "Minimum Diameter 1.5");
+  const vtkMTimeType before = filter->GetMTime();
+  filter->SetVoxelsInInput(1000000000);
+  EXPECT_EQ(filter->GetMTime(), before);
+  EXPECT_NEAR(filter->GetEstimatedMemory(), 16000.0, 1e-6);
+  EXPECT_GT(filter->GetEstimatedTime(), 10.0); // 800 s of one thread
 }
 
 // Where a run is stopped at each of its events, all ranks end it: with the spheres as they are so
