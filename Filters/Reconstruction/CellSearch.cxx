@@ -342,7 +342,10 @@ std::vector<CellSearch::FoundCell> CellSearch::Find(const ruc::CellContents& con
   const ruc::TwoPointProbability& target, const Settings& settings, const Callbacks& callbacks,
   RankCommunicator& ranks)
 {
-  return settings.IsByPopulation()
-    ? Searches<ByPopulation>(contents, target, settings, callbacks, ranks).Run()
-    : Searches<ByGradient>(contents, target, settings, callbacks, ranks).Run();
+  if (!settings.IsByPopulation())
+  {
+    return Searches<ByGradient>(contents, target, settings, callbacks, ranks).Run();
+  }
+  ruc::RequireLoose(contents);
+  return Searches<ByPopulation>(contents, target, settings, callbacks, ranks).Run();
 }

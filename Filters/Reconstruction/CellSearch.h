@@ -117,8 +117,8 @@ struct Callbacks
  *
  * A search goes on from its checkpoint if the file exists, unless it was stopped more often than
  * ContinueAfterStops; then the cell is the one that it had when it was stopped, bit by bit. Throws
- * std::invalid_argument, the same on every rank, for a checkpoint that is not of this search.
- * Collective.
+ * std::invalid_argument, the same on every rank, for a checkpoint that is not of this search, and
+ * for a population of dense cells (ruc::RequireLoose). Collective.
  */
 std::vector<FoundCell> Find(const ruc::CellContents& contents,
   const ruc::TwoPointProbability& target, const Settings& settings, const Callbacks& callbacks,

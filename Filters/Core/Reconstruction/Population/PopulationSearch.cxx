@@ -21,21 +21,6 @@ namespace ruc
 {
 namespace
 {
-// Above this share of MaximumRandomFraction spheres that are pushed apart jam
-constexpr double PopulationShare = 0.98;
-
-void RequireLoose(const CellContents& contents)
-{
-  const double fraction = contents.Fraction(), maximum = MaximumRandomFraction(contents.Radii());
-  if (fraction > PopulationShare * maximum)
-  {
-    throw std::invalid_argument(Text("Method requires Gradient for a cell as dense as this one, of "
-                                     "a fraction of ",
-      fraction, " where random packs of these sizes reach about ", maximum,
-      ": the cells of a population would keep overlap."));
-  }
-}
-
 class Search
 {
 public:
@@ -487,13 +472,26 @@ private:
 };
 }
 
+void RequireLoose(const CellContents& contents)
+{
+  // Above this share of the maximum spheres that are pushed apart jam
+  constexpr double most = 0.98;
+  const double fraction = contents.Fraction(), maximum = MaximumRandomFraction(contents.Radii());
+  if (fraction > most * maximum)
+  {
+    throw std::invalid_argument(Text("Method requires Gradient for a cell as dense as this one, of "
+                                     "a fraction of ",
+      fraction, " where random packs of these sizes reach about ", maximum,
+      ": the cells of a population would keep overlap."));
+  }
+}
+
 PopulationResult SearchByPopulation(const CellContents& contents, const TwoPointProbability& target,
   const PopulationSettings& settings, Communicator& communicator,
   const std::function<bool(const SearchState&)>& carryOn, const PopulationState* resume,
   const std::function<void(const PopulationState&)>& save)
 {
   CheckSettings(settings);
-  RequireLoose(contents);
   Search search(contents, target, settings, communicator, carryOn, save);
   if (resume)
   {
