@@ -104,9 +104,9 @@ void vtkRUCThirdOrderParameters::Warn(const ruc::ThirdOrderOfSpheres& found)
 {
   if (found.Centres < FewCentres)
   {
-    vtkWarningMacro(<< "only " << found.Centres << " spheres lie as far as CutOff, " << found.CutOff
-                    << ", from every face of the window; fewer than " << FewCentres
-                    << " centres tell little of a pack.");
+    vtkWarningMacro(<< "only " << found.Centres << " spheres are centres, which lie CutOff, "
+                    << found.CutOff << ", from every face that is not periodic; fewer than "
+                    << FewCentres << " centres tell little of a pack.");
   }
   const double rest = found.Spectrum.back().Value / found.Spheres.Zeta.Value;
   if (rest > LargeRest)
