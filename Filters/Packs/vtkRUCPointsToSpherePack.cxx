@@ -324,9 +324,7 @@ void vtkRUCPointsToSpherePack::AddIds(
 
 void vtkRUCPointsToSpherePack::AddFoundWindow(vtkPolyData* points, RankCommunicator& ranks)
 {
-  ruc::WindowChoices choices;
-  choices.Erosion = this->WindowErosion;
-  choices.Faces = this->FaceKinds;
+  const ruc::WindowChoices choices{ this->WindowErosion, this->FaceKinds };
   ruc::CheckChoices(choices);
   const PackData::WindowProperties properties = this->GetWindowProperties();
   bool known = true;
@@ -334,10 +332,10 @@ void vtkRUCPointsToSpherePack::AddFoundWindow(vtkPolyData* points, RankCommunica
   known = !ranks.All(!known);
   if (!this->FindWindow || known)
   {
-    if (ranks.Rank() == 0 && !choices.AreAutomatic())
+    const std::string unused = ruc::TellUnused(choices, known);
+    if (ranks.Rank() == 0 && !unused.empty())
     {
-      vtkWarningMacro(<< "FaceKinds and WindowErosion are not used, as "
-                      << (known ? "a window is given." : "FindWindow is off."));
+      vtkWarningMacro(<< unused);
     }
     return;
   }

@@ -193,11 +193,10 @@ void vtkRUCSpherePackReader::WarnOfUnused(const ruc::FramePack& read)
                                  "tables and are not used, as the file is a ",
       read.Format, "."));
   }
-  if ((read.BoxIsWindow || !this->FindWindow) &&
-    (!this->FaceKinds.empty() || this->WindowErosion >= 0.0))
+  const ruc::WindowChoices choices{ this->WindowErosion, this->FaceKinds };
+  if ((read.BoxIsWindow || !this->FindWindow) && !choices.AreAutomatic())
   {
-    warnings.push_back(ruc::Text("FaceKinds and WindowErosion are not used, as ",
-      read.BoxIsWindow ? "a window is given." : "FindWindow is off."));
+    warnings.push_back(ruc::TellUnused(choices, read.BoxIsWindow));
   }
   if (!this->LengthUnit.empty() && this->Scale == 1.0 && !read.LengthUnit.empty() &&
     this->LengthUnit != read.LengthUnit)
@@ -211,9 +210,7 @@ void vtkRUCSpherePackReader::WarnOfUnused(const ruc::FramePack& read)
 
 ruc::FoundWindow vtkRUCSpherePackReader::TakeWindow(const ruc::FramePack& read)
 {
-  ruc::WindowChoices choices;
-  choices.Erosion = this->WindowErosion;
-  choices.Faces = this->FaceKinds;
+  const ruc::WindowChoices choices{ this->WindowErosion, this->FaceKinds };
   ruc::CheckChoices(choices);
   ruc::FoundWindow window;
   if (read.BoxIsWindow)

@@ -404,6 +404,13 @@ void CheckChoices(const WindowChoices& choices)
   static_cast<void>(FaceChoices(choices.Faces));
 }
 
+std::string TellUnused(const WindowChoices& choices, bool known)
+{
+  return choices.AreAutomatic() ? ""
+                                : Text("FaceKinds and WindowErosion are not used, as ",
+                                    known ? "a window is given." : "FindWindow is off.");
+}
+
 bool IsFoundSource(const std::string& source)
 {
   return source == CutFaces || source == Eroded;

@@ -39,6 +39,12 @@ struct WindowChoices
 /** Throws std::invalid_argument for choices of another form. */
 void CheckChoices(const WindowChoices& choices);
 
+/**
+ * Returns the sentence that tells a user who made choices that they have no effect, as no window is
+ * looked for: one is known, or it was not wanted. Empty where nothing is chosen.
+ */
+std::string TellUnused(const WindowChoices& choices, bool known);
+
 /** Returns whether a FoundWindow::Source, or another text, is of a window that was looked for. */
 bool IsFoundSource(const std::string& source);
 
