@@ -56,7 +56,7 @@ ruc::Estimate OfSearch(const ruc::CellFigures& cell, const ruc::LagGrid& lags,
 {
   ruc::Estimate estimate = search.IsByPopulation()
     ? ruc::EstimatePopulationSearch(cell, lags, search.FindPopulation())
-    : ruc::EstimateGradientSearch(cell, lags, search.Gradient.MaximumIterations);
+    : ruc::EstimateGradientSearch(cell, lags, search.Gradient);
   estimate.Seconds = std::min(estimate.Seconds * search.NumberOfCells, longest);
   return estimate;
 }

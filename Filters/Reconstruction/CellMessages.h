@@ -15,6 +15,12 @@ namespace CellMessages
 RunProgress DescribeProgress(
   int cell, const ruc::SearchState& state, const CellSearch::Settings& settings);
 
+/**
+ * Returns the warnings that a user needs where a pack is too small to tell near neighbours or pores
+ * that weigh something.
+ */
+std::vector<std::string> FindNeighbourWarnings(const ruc::NeighbourTarget& neighbours);
+
 /** Returns the warnings that a user needs about the cells that were found. */
 std::vector<std::string> FindWarnings(const std::vector<CellSearch::FoundCell>& cells,
   const ruc::CellContents& contents, const CellSearch::Settings& settings);

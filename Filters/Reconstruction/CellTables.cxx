@@ -24,16 +24,20 @@ long long SeedOf(const CellSearch::FoundCell& found, const CellSearch::Settings&
   return static_cast<long long>(settings.Gradient.Seed) + found.Number;
 }
 
-void FillConvergence(const ruc::UnitCell& cell, vtkTable* table)
+void FillConvergence(
+  const ruc::UnitCell& cell, const ruc::NeighbourTarget& neighbours, vtkTable* table)
 {
   std::vector<long long> iteration;
-  std::vector<double> objective, overlap, multipliers;
+  std::vector<double> objective, overlap, multipliers, gaps, nearest, pores;
   for (const ruc::SearchState& state : cell.Convergence)
   {
     iteration.push_back(state.Iteration);
     objective.push_back(state.Objective);
     overlap.push_back(state.OverlapPercent);
     multipliers.push_back(state.SumOfMultipliers);
+    gaps.push_back(state.Misfits.Gaps);
+    nearest.push_back(state.Misfits.Nearest);
+    pores.push_back(state.Misfits.Pores);
   }
   PackData::AddColumn(table, "Iteration", iteration);
   PackData::AddColumn(table, "Objective", objective);
@@ -41,6 +45,12 @@ void FillConvergence(const ruc::UnitCell& cell, vtkTable* table)
   if (std::any_of(multipliers.begin(), multipliers.end(), [](double sum) { return sum > 0.0; }))
   {
     PackData::AddColumn(table, "SumOfMultipliers", multipliers);
+  }
+  if (!neighbours.Empty())
+  {
+    PackData::AddColumn(table, "GapMisfit", gaps);
+    PackData::AddColumn(table, "NearestMisfit", nearest);
+    PackData::AddColumn(table, "PoreMisfit", pores);
   }
 }
 
@@ -118,6 +128,13 @@ void AddCellFields(
   number("StartObjective", cell.StartObjective);
   number("OnePointDifference",
     ruc::OnePointDifference(all.Contents, all.Target.Fractions, cell.Box.Size[0]));
+  if (!all.Settings.Gradient.Neighbours.Empty())
+  {
+    const ruc::NeighbourMisfits& misfits = cell.Convergence.back().Misfits;
+    number("GapMisfit", misfits.Gaps);
+    number("NearestMisfit", misfits.Nearest);
+    number("PoreMisfit", misfits.Pores);
+  }
   whole("Iterations", cell.Iterations);
   PackData::AddField(data, "EndedBy", std::string(ruc::NameOf(cell.EndedBy)));
   whole("Stopped", ruc::IsFromOutside(cell.EndedBy));
@@ -165,7 +182,8 @@ void CellTables::FillOutputs(
   if (isFirstRank)
   {
     PackData::FillPolyData(best.Cell.Pack, vtkPolyData::GetData(outputs, CELL));
-    FillConvergence(best.Cell, vtkTable::GetData(outputs, CONVERGENCE));
+    FillConvergence(
+      best.Cell, all.Settings.Gradient.Neighbours, vtkTable::GetData(outputs, CONVERGENCE));
     FillProbabilities(
       all.Target, best.Cell.Probability, mean, several, vtkTable::GetData(outputs, PROBABILITIES));
     FillTableOfCells(all, vtkTable::GetData(outputs, TABLE_OF_CELLS));

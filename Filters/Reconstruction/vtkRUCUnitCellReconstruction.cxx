@@ -216,8 +216,16 @@ void vtkRUCUnitCellReconstruction::Execute(
     { target.Fractions.begin(), target.Fractions.end() - 1 }, this->Cell.ModeDiameters);
   const ruc::CellContents contents = this->Cell.FindContents(
     amounts, [&]() { return this->FindEdge(target, amounts.MeanDiameter(), ranks); });
+  const ruc::NeighbourTarget& neighbours = this->Search.Gradient.Neighbours;
+  if (this->Search.Method == GRADIENT && ranks.Rank() == 0 &&
+    neighbours.ContactWeight + neighbours.PoreWeight > 0.0)
+  {
+    vtkWarningMacro(
+      << "ContactWeight and PoreWeight do not count, as a table of S_rs tells no near "
+         "neighbours and no pores: they require a pack.");
+  }
   this->Reconstruct(
-    contents, target, PackData::FindLengthUnit(table, ranks), outputs, ranks, report);
+    contents, target, this->Search, PackData::FindLengthUnit(table, ranks), outputs, ranks, report);
 }
 
 void vtkRUCUnitCellReconstruction::Execute(
@@ -241,35 +249,57 @@ void vtkRUCUnitCellReconstruction::Execute(
     ruc::LagLimit::ForCell(contents.Edge).MakeGrid(this->Cell.MaximumLag, this->Cell.NumberOfLags);
   const ruc::TwoPointProbability target =
     ruc::SumPairs(pack.Share, lags, ranks, report.ForPairs(ranks));
-  this->Reconstruct(contents, target, pack.LengthUnit, outputs, ranks, report);
+  this->Reconstruct(
+    contents, target, this->FindSearch(pack.Share, ranks), pack.LengthUnit, outputs, ranks, report);
+}
+
+CellSearch::Settings vtkRUCUnitCellReconstruction::FindSearch(
+  const ruc::PackShare& share, RankCommunicator& ranks)
+{
+  CellSearch::Settings search = this->Search;
+  ruc::NeighbourTarget& neighbours = search.Gradient.Neighbours;
+  if (search.Method != GRADIENT || neighbours.ContactWeight + neighbours.PoreWeight == 0.0)
+  {
+    return search;
+  }
+  neighbours.Pack = ruc::MeasureNeighbourSums(share, ranks);
+  if (ranks.Rank() == 0)
+  {
+    for (const std::string& warning : CellMessages::FindNeighbourWarnings(neighbours))
+    {
+      vtkWarningMacro(<< warning);
+    }
+  }
+  return search;
 }
 
 void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents,
-  const ruc::TwoPointProbability& target, const std::string& lengthUnit,
-  vtkInformationVector* outputs, RankCommunicator& ranks, ProgressReport& report)
+  const ruc::TwoPointProbability& target, const CellSearch::Settings& search,
+  const std::string& lengthUnit, vtkInformationVector* outputs, RankCommunicator& ranks,
+  ProgressReport& report)
 {
   ruc::LagLimit::ForCell(contents.Edge).Check(target.Lags);
-  this->RequireMemory(CellEstimate::MegabytesOf(contents, target.Lags, this->Search), ranks);
-  const double most = this->Search.IsByPopulation() ? this->Search.Annealed.MaximumGenerations + 1.0
-                                                    : this->Search.Gradient.MaximumIterations + 3.0;
+  this->RequireMemory(CellEstimate::MegabytesOf(contents, target.Lags, search), ranks);
+  const double most = search.IsByPopulation() ? search.Annealed.MaximumGenerations + 1.0
+                                              : ruc::MostIterations(search.Gradient) + 3.0;
   CellSearch::Callbacks callbacks;
   callbacks.StopReason = [&](int cell, const ruc::SearchState& state)
   {
     if (ranks.Rank() == 0)
     {
-      report.Tell((cell + state.Iteration / most) / this->Search.NumberOfCells,
-        CellMessages::DescribeProgress(cell, state, this->Search));
+      report.Tell((cell + state.Iteration / most) / search.NumberOfCells,
+        CellMessages::DescribeProgress(cell, state, search));
     }
     return this->FindStopReason(report, ranks.Rank() == 0);
   };
   callbacks.Warn = [&](const std::string& text) { vtkWarningMacro(<< text); };
   const std::vector<CellSearch::FoundCell> cells =
-    CellSearch::Find(contents, target, this->Search, callbacks, ranks);
+    CellSearch::Find(contents, target, search, callbacks, ranks);
   CellTables::FillOutputs(
-    { cells, contents, target, this->Search, lengthUnit }, outputs, ranks.Rank() == 0);
+    { cells, contents, target, search, lengthUnit }, outputs, ranks.Rank() == 0);
   if (ranks.Rank() == 0)
   {
-    for (const std::string& warning : CellMessages::FindWarnings(cells, contents, this->Search))
+    for (const std::string& warning : CellMessages::FindWarnings(cells, contents, search))
     {
       vtkWarningMacro(<< warning);
     }

@@ -17,7 +17,9 @@
  * images included (14).
  *
  * Gradient starts from random centres, pushes the overlap out, descends by L-BFGS on the exact F2
- * and its gradient with an overlap penalty, and removes the last overlap exactly. Annealed
+ * and its gradient with an overlap penalty, and removes the last overlap exactly. With
+ * ContactWeight and PoreWeight it then descends on F2, near neighbours and pores together, which
+ * are compared in the pack's standard errors (Core/Reconstruction/SearchObjective.h). Annealed
  * Population is RECON3D of the paper (Core/Reconstruction/Population/PopulationSearch.h). Hybrid
  * has a small population whose best member descends by L-BFGS, then is changed a little and
  * descends again. Several cells are independent searches with the seeds Seed, Seed + 1, …, one on
@@ -30,8 +32,9 @@
  *   `OnePointDifference` (F1, equation 11), `OverlapPercent`, `Iterations` (or generations),
  *   `EndedBy` (text), `Stopped` (1 if the search was ended from outside) and `Cell` (its number).
  * - 1 is the table of convergence of the best cell, `Iteration`, `Objective`, `OverlapPercent`, for
- *   a dense cell `SumOfMultipliers`,
- *   whose row 0 is the start and whose last row is the cell that is returned.
+ *   a dense cell `SumOfMultipliers`, and `GapMisfit`, `NearestMisfit`, `PoreMisfit` (which are also
+ *   field data) where they count, whose row 0 is the start and whose last row is the cell that is
+ *   returned.
  * - 2 is the table `r`, `S_1_1_pack`, `S_1_1_cell`, … of the best cell; for several cells also
  *   `S_1_1_mean`, `S_1_1_deviation` (the standard deviation over the cells), ….
  * - 3 is a multiblock data set of all cells.
@@ -133,12 +136,21 @@ public:
    */
   RUCSetting(SaturationTolerance, double, Cell.SaturationTolerance);
   /**
-   * The most iterations of L-BFGS, >= 0. The search ends earlier if F2 falls by less than 0.1 % in
-   * 100 iterations. Default: 1000.
+   * The most iterations of L-BFGS on F2, >= 0. The search ends earlier if F2 falls by less than 0.1
+   * % in 100 iterations. With ContactWeight or PoreWeight half as many again follow, three times
+   * half as many. Default: 1000.
    */
   RUCSetting(MaximumIterations, int, Search.Gradient.MaximumIterations);
   /** The search ends when a cell without overlap has F2 at or below this; >= 0. Default: 0. */
   RUCSetting(TargetObjective, double, Search.Gradient.TargetObjective);
+  /**
+   * What the near neighbours of the cell weigh beside F2, >= 0: the gaps of all neighbours and the
+   * least gap of every sphere, against those of the pack. Gradient alone knows it. Default: 0,
+   * which means that F2 alone counts; 1 is what suits.
+   */
+  RUCSetting(ContactWeight, double, Search.Gradient.Neighbours.ContactWeight);
+  /** The same for the widths of the pores. Default: 0. */
+  RUCSetting(PoreWeight, double, Search.Gradient.Neighbours.PoreWeight);
   /**
    * The search ends with the best cell so far after this many seconds, >= 0. Default: 0, which
    * means no limit.
@@ -248,8 +260,10 @@ private:
   ruc::EndReason FindStopReason(const ProgressReport& report, bool isFirstRank);
   // Searches, and fills the outputs
   void Reconstruct(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
-    const std::string& lengthUnit, vtkInformationVector* outputs, RankCommunicator& ranks,
-    ProgressReport& report);
+    const CellSearch::Settings& search, const std::string& lengthUnit,
+    vtkInformationVector* outputs, RankCommunicator& ranks, ProgressReport& report);
+  // Returns the settings with the near neighbours and pores of the pack, where they are wanted
+  CellSearch::Settings FindSearch(const ruc::PackShare& share, RankCommunicator& ranks);
 
   CellProperties Cell;
   CellSearch::Settings Search;

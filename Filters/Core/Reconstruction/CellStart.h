@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ruc/Base/Estimate.h"
 #include "ruc/Reconstruction/CellContents.h"
+#include "ruc/Reconstruction/CellObjective.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace ruc
@@ -17,6 +20,32 @@ namespace ruc
  */
 std::vector<double> RandomCentres(
   const CellContents& contents, std::uint32_t seed, std::uint32_t number);
+
+/**
+ * Above this share of MaximumRandomFraction cells are dense: their spheres touch so often that a
+ * search from random centres would jam, with overlap.
+ */
+constexpr double DenseShare = 0.94;
+
+/** The most that the edge of a dense cell may grow where its spheres jam. */
+constexpr double LongestEdge = 1.2;
+
+/**
+ * Returns whether a cell of spheres with these radii is dense. Throws std::invalid_argument for a
+ * fraction that is more than 0.015 above MaximumRandomFraction.
+ */
+bool IsDense(const std::vector<double>& radii, double fraction, double edge);
+
+/**
+ * Returns centres of a dense cell without overlap, made by events (MakeDensePack). Where the
+ * spheres jam before they fill the cell, its edge is lengthened, LongestEdge times at most. It is
+ * given up when `carryOn` returns false; the centres then fill the cell with some overlap.
+ */
+std::vector<double> DenseCentres(
+  CellContents& contents, std::uint32_t seed, const std::function<bool()>& carryOn);
+
+/** What DenseCentres takes; nothing where the cell is not known to be dense. Throws as IsDense. */
+Estimate EstimateDenseStart(const CellFigures& cell);
 
 /** The seconds that it takes to put a sphere at random or to deposit it. */
 constexpr double SecondsPerStartedSphere = 1e-6;

@@ -2,68 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Reconstruction/GradientSearch.h"
 
-#include "ruc/Base/Text.h"
-#include "ruc/Packing/DensePack.h"
 #include "ruc/Packing/EventRemoval.h"
-#include "ruc/Packing/HardSpheres.h"
-#include "ruc/Packing/MaximumFraction.h"
 #include "ruc/Packing/OverlapRemoval.h"
-#include "ruc/Particles/SphereOverlap.h"
-#include "ruc/Reconstruction/CellObjective.h"
-#include "ruc/Reconstruction/CellStart.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 
 namespace ruc
 {
 namespace
 {
-// The overlap in percent, as MeasureOverlap defines it, from S_rs(0), to which every pair that
-// overlaps adds its lens volume twice
-double OverlapPercent(const TwoPointProbability& probability)
-{
-  double fraction = 0.0;
-  double counted = 0.0;
-  for (int r = 0; r < probability.Modes; ++r)
-  {
-    fraction += probability.Fractions[r];
-    for (int s = 0; s < probability.Modes; ++s)
-    {
-      counted += probability.S(r, s)[0];
-    }
-  }
-  return std::max(0.5 * (counted - fraction) / fraction, 0.0) * 100.0;
-}
-
 // For dense cells; found on equal spheres and on two sizes
 constexpr double SoftStiffness = 1.0, FirstStiffness = 10.0; // mu
 constexpr int IterationsOfRound = 40, MostRounds = 40;
 constexpr double LeastSoftProgress = 0.02; // of F2 in IterationsOfRound
 constexpr double LeastOverlap = 3e-7;      // of a contact, that events take out without a trace
 constexpr double FirstStepIfDense = 0.1;
-constexpr double LongestEdge = 1.2; // of that of the contents, where spheres jam
-// Jammed spheres cannot be moved and freed again: their cell gets so much more room
-constexpr double RoomOfJammed = 1.0003; // of the edge
-// What is denser than random packs are on average jams also where it grows more slowly
-constexpr double RateOfDensest = 0.003;
-
-// Throws where no random pack is as dense as the cell
-bool IsDense(const std::vector<double>& radii, double fraction, double edge)
-{
-  const double maximum = MaximumRandomFraction(radii);
-  if (fraction > maximum + 0.015)
-  {
-    throw std::invalid_argument(Text("A cell of these spheres would have a fraction of ", fraction,
-      ", which is more than random packs of these sizes reach (about ", maximum, ")."));
-  }
-  const double largest = 2.0 * *std::max_element(radii.begin(), radii.end());
-  return radii.size() > 1 && fraction > DenseShare * maximum &&
-    edge > SphereRooms::LeastEdgeInDiameters * largest * (1.0 + 1e-6);
-}
+// For neighbours and pores
+constexpr double ShareOfReference = 0.5; // F0 in F2 of the first descent
+constexpr int LatticesOfSearch = 3;
 
 class Search
 {
@@ -85,13 +45,19 @@ public:
 
   void Start()
   {
-    const std::vector<double> centres =
-      this->Dense ? this->DenseCentres() : RandomCentres(this->Contents, this->Settings.Seed, 0);
+    const auto carryOn = [&]()
+    {
+      this->AskAll({ SearchPhase::RemovingOverlap, 0, 0.0, 0.0, 0.0, {} });
+      return !this->Stopped;
+    };
+    const std::vector<double> centres = this->Dense
+      ? DenseCentres(this->Contents, this->Settings.Seed, carryOn)
+      : RandomCentres(this->Contents, this->Settings.Seed, 0);
     this->State.Contacts.Stiffness = this->Dense ? SoftStiffness : 0.0;
     this->State.Edge = this->Contents.Edge;
     this->MakeObjective();
     this->Evaluate(centres.data(), nullptr);
-    this->Record(SearchPhase::RemovingOverlap, this->Terms.TwoPoint, this->Overlap());
+    this->Record(SearchPhase::RemovingOverlap, this->Terms.TwoPoint, this->Overlap(), {});
     this->Keep(centres);
     this->RecordBest();
     this->State.StartObjective = this->Best.Objective;
@@ -102,22 +68,15 @@ public:
 
   void Resume(const GradientState& state)
   {
-    const std::size_t length = 3 * std::size_t(this->Contents.NumberOfSpheres());
-    if (state.Descent.Place.size() != length || state.Best.size() != length)
-    {
-      throw std::invalid_argument(Text("Resuming requires a state of ", length / 3,
-        " spheres, got one of ", state.Descent.Place.size() / 3, "."));
-    }
-    const double longest = this->Dense ? LongestEdge * this->Contents.Edge : this->Contents.Edge;
-    if ((state.Contacts.Stiffness > 0.0) != this->Dense ||
-      !state.Contacts.CanBe(this->Contents.NumberOfSpheres()) ||
-      !(state.Edge >= this->Contents.Edge && state.Edge <= longest))
-    {
-      throw std::invalid_argument("The contacts of the state are damaged or of another cell.");
-    }
+    CheckState(state, this->Contents, this->Dense);
     this->State = state;
     this->Contents.Edge = state.Edge;
     this->MakeObjective();
+    if (state.Reference > 0.0)
+    {
+      this->Objective->BeginNeighbours(state.Reference);
+      this->MoveLattice();
+    }
     this->Evaluate(state.Descent.Place.data(), nullptr);
     this->Keep(state.Best);
   }
@@ -137,8 +96,13 @@ public:
     {
       endedBy = EndReason::Converged;
     }
-    else if (descends && this->State.Descent.Iterations < this->Settings.MaximumIterations)
+    else if (descends && !this->StageIsOver())
     {
+      endedBy = this->Descend();
+    }
+    if (descends && !this->Stopped && this->HasNextStage())
+    {
+      this->BeginNeighbours();
       endedBy = this->Descend();
     }
     if (descends)
@@ -162,24 +126,14 @@ private:
   void MakeObjective()
   {
     this->Best.Box = this->Contents.MakeBox();
-    this->Objective.emplace(this->Contents, this->Target, this->Ranks);
-    this->Objective->SetPenaltyWeight(this->Dense ? 0.0 : DescentPenaltyWeight);
-    if (this->Dense)
-    {
-      const std::vector<double> anywhere(3 * this->Contents.NumberOfSpheres(), 0.0);
-      this->Contacts.emplace(
-        this->Contents.MakePack(anywhere.data()), this->Best.Box, this->State.Contacts);
-    }
+    this->Objective.emplace(this->Contents, this->Target, this->Settings.Neighbours, this->Dense,
+      this->State.Contacts, this->Ranks);
   }
 
   // A wish to stop on any rank reaches all ranks with the sums of the evaluation
   void Evaluate(const double* centres, double* gradient)
   {
     this->Terms = this->Objective->Evaluate(centres, gradient, &this->Wish);
-    if (this->Contacts)
-    {
-      this->Terms.Penalty = this->Contacts->Add(centres, gradient);
-    }
     this->Stopped = this->Stopped || this->Wish > 0;
     this->Wish = 0;
   }
@@ -205,58 +159,82 @@ private:
     }
   }
 
-  // A pack by events. Where it jams, the cell becomes larger; where it is stopped, it fills the
-  // cell with some overlap.
-  std::vector<double> DenseCentres()
-  {
-    DensePackSettings settings;
-    settings.Radii = this->Contents.Radii();
-    settings.Fraction = this->Contents.Fraction();
-    settings.Seed = this->Settings.Seed;
-    settings.Protocol = PackingProtocol::Events;
-    settings.Rate = settings.Fraction > MaximumRandomFraction(settings.Radii) ? RateOfDensest : 0.0;
-    const DensePack made = MakeDensePack(settings,
-      [&](const GrowthStep&, double)
-      {
-        this->AskAll({ SearchPhase::RemovingOverlap, 0, 0.0, 0.0 });
-        return !this->Stopped;
-      });
-    if (made.Pack.Empty())
-    {
-      return RandomCentres(this->Contents, this->Settings.Seed, 0);
-    }
-    if (made.Jammed)
-    {
-      this->Contents.Edge =
-        std::min(RoomOfJammed * made.Box.Size[0], LongestEdge * this->Contents.Edge);
-    }
-    std::vector<double> centres = CentresOf(made.Pack);
-    for (double& c : centres)
-    {
-      c *= this->Contents.Edge / made.Box.Size[0];
-    }
-    return centres;
-  }
+  double Overlap() const { return OverlapPercentOf(this->Objective->GetProbability()); }
 
-  double Overlap() const { return OverlapPercent(this->Objective->GetProbability()); }
-
-  void Record(SearchPhase phase, double objective, double overlapPercent)
+  void Record(
+    SearchPhase phase, double objective, double overlapPercent, const NeighbourMisfits& misfits)
   {
     const int iteration = static_cast<int>(this->State.Convergence.size());
     const std::vector<double>& forces = this->State.Contacts.Multiplier;
     const double sum = std::accumulate(forces.begin(), forces.end(), 0.0);
-    this->State.Convergence.push_back({ phase, iteration, objective, overlapPercent, sum });
+    this->State.Convergence.push_back(
+      { phase, iteration, objective, overlapPercent, sum, misfits });
     this->Ask(this->State.Convergence.back());
   }
 
+  bool HasNeighbours() const { return !this->Settings.Neighbours.Empty(); }
+  bool WithNeighbours() const { return this->State.Reference > 0.0; }
+
+  // Whether the target objective is met, which ends the descent
+  bool MeetsObjective() const
+  {
+    return this->Best.Overlap.IsNone() && this->Best.Objective <= this->Settings.TargetObjective &&
+      this->BestMisfits.Largest() <= 1.0;
+  }
+
+  // Whether it ends the search
   bool MeetsTarget() const
   {
-    return this->Best.Overlap.IsNone() && this->Best.Objective <= this->Settings.TargetObjective;
+    return this->MeetsObjective() && this->WithNeighbours() == this->HasNeighbours();
   }
+
+  int IterationsOfLattice() const { return (this->Settings.MaximumIterations + 1) / 2; }
+
+  bool StageIsOver() const
+  {
+    const double iterations = this->State.Descent.Iterations - this->State.Before;
+    return iterations >= (this->WithNeighbours()
+                             ? 1.0 * LatticesOfSearch * this->IterationsOfLattice()
+                             : this->Settings.MaximumIterations);
+  }
+
+  // A dense cell adds the neighbours between its soft contacts and the multipliers
+  bool HasNextStage() const
+  {
+    return this->HasNeighbours() && !this->WithNeighbours() && !this->Dense;
+  }
+
+  // Adds near neighbours and pores to what is minimised
+  void BeginNeighbours()
+  {
+    this->Keep(this->State.Descent.Place);
+    DescentState& descent = this->State.Descent;
+    descent.Gradient.clear();
+    descent.Steps.clear();
+    descent.GradientChanges.clear();
+    this->State.Reference =
+      std::max(ShareOfReference * this->Best.Objective, std::numeric_limits<double>::min());
+    this->State.Before = descent.Iterations;
+    this->State.Kept = std::numeric_limits<double>::max();
+    this->State.Tried = this->State.Kept;
+    this->State.Converged = false;
+    this->Objective->BeginNeighbours(this->State.Reference);
+    this->MoveLattice();
+    this->MeasureBest();
+  }
+
+  void MoveLattice()
+  {
+    this->Objective->MoveLattice(
+      (this->State.Descent.Iterations - this->State.Before) / IterationsOfLattice());
+  }
+
+  void MeasureBest() { this->BestMisfits = this->Objective->FindMisfits(this->State.Best.data()); }
 
   void RecordBest()
   {
-    this->Record(SearchPhase::RemovingOverlap, this->Best.Objective, this->Best.Overlap.Percent);
+    this->Record(SearchPhase::RemovingOverlap, this->Best.Objective, this->Best.Overlap.Percent,
+      this->BestMisfits);
   }
 
   // Frees a copy of the centres from overlap, and keeps it if it is the best so far. A cell with
@@ -266,16 +244,17 @@ private:
     // A search that is to stop still gets the few steps in which most cells are freed, unless it
     // has none yet
     constexpr int MostQuestions = 50;
-    int questions = this->Best.Pack.Empty() && !this->Contacts ? MostQuestions : 0;
+    int questions = this->Best.Pack.Empty() && !this->Dense ? MostQuestions : 0;
     const SearchState state = { SearchPhase::RemovingOverlap,
-      static_cast<int>(this->State.Convergence.size()), this->Terms.TwoPoint, this->Overlap() };
+      static_cast<int>(this->State.Convergence.size()), this->Terms.TwoPoint, this->Overlap(), 0.0,
+      this->Terms.Misfits };
     const auto carryOn = [&]()
     {
       this->AskAll(state);
       return !this->Stopped || ++questions < MostQuestions;
     };
     SpherePack pack = this->Contents.MakePack(centres.data());
-    if (this->Contacts)
+    if (this->Dense)
     {
       RemoveOverlapByEvents(pack, this->Best.Box, this->Settings.Seed, carryOn);
     }
@@ -285,12 +264,19 @@ private:
     }
     UnitCell cell = MeasureUnitCell(std::move(pack), this->Best.Box, this->Target, this->Ranks);
     const bool first = this->Best.Pack.Empty();
+    if (!first)
+    {
+      this->MeasureBest(); // the lattice has moved
+    }
+    const NeighbourMisfits misfits = this->Objective->FindMisfits(CentresOf(cell.Pack).data());
     const bool freer = cell.Overlap.IsNone() && !this->Best.Overlap.IsNone();
     if (first || freer ||
       (cell.Overlap.IsNone() == this->Best.Overlap.IsNone() &&
-        cell.Objective < this->Best.Objective))
+        this->Objective->ValueOf(cell.Objective, misfits) <
+          this->Objective->ValueOf(this->Best.Objective, this->BestMisfits)))
     {
       this->Best = std::move(cell);
+      this->BestMisfits = misfits;
       this->State.Best = CentresOf(this->Best.Pack);
     }
   }
@@ -299,7 +285,7 @@ private:
   {
     EndReason endedBy = EndReason::None;
     DescentSettings settings;
-    settings.FirstStep = FirstStepOf(this->Contents) * (this->Contacts ? FirstStepIfDense : 1.0);
+    settings.FirstStep = FirstStepOf(this->Contents) * (this->Dense ? FirstStepIfDense : 1.0);
     DescentEnd end = DescentEnd::Told;
     do
     {
@@ -310,7 +296,7 @@ private:
         {
           this->Ask(this->State.Convergence.back());
           this->Evaluate(place, gradient);
-          value = this->Terms.Total();
+          value = this->Terms.Total;
           return !this->Stopped;
         },
         [&](const DescentState& descent)
@@ -324,7 +310,7 @@ private:
         });
       if (end == DescentEnd::NowhereTo)
       {
-        endedBy = this->Contacts ? this->EndRound() : EndReason::Converged;
+        endedBy = this->Dense ? this->EndRound() : EndReason::Converged;
       }
     } while (end != DescentEnd::GivenUp && endedBy == EndReason::None);
     return end == DescentEnd::GivenUp ? EndReason::Stopped : endedBy;
@@ -349,9 +335,13 @@ private:
       contacts.Stiffness = FirstStiffness;
       descent.Steps.clear();
       descent.GradientChanges.clear();
+      if (this->HasNeighbours())
+      {
+        this->BeginNeighbours();
+      }
       return EndReason::None;
     }
-    contacts.Deepest = this->Contacts->Update(descent.Place.data());
+    contacts.Deepest = this->Objective->Multipliers().Update(descent.Place.data());
     if (contacts.Deepest < LeastOverlap || contacts.Round > MostRounds)
     {
       this->State.Converged = true;
@@ -378,43 +368,59 @@ private:
       }
       this->State.Kept = objective;
     }
-    return endedBy == EndReason::None && descent.Iterations >= this->Settings.MaximumIterations
-      ? EndReason::MaximumIterations
-      : endedBy;
+    return endedBy == EndReason::None && this->StageIsOver() ? EndReason::MaximumIterations
+                                                             : endedBy;
   }
 
-  // Returns what ends the search, or None
+  // Returns what ends the descent, or None
   EndReason AfterIteration(const DescentState& descent)
   {
-    const double objective = this->Terms.TwoPoint;
-    this->Record(SearchPhase::MinimisingObjective, objective, this->Overlap());
-    if (this->Contacts)
+    const int iterations = descent.Iterations - this->State.Before;
+    this->Record(
+      this->WithNeighbours() ? SearchPhase::FittingNeighbours : SearchPhase::MinimisingObjective,
+      this->Terms.TwoPoint, this->Overlap(), this->Terms.Misfits);
+    const EndReason endedBy =
+      this->Dense ? this->AfterDenseIteration(descent) : this->AfterLooseIteration(iterations);
+    if (this->WithNeighbours() && endedBy == EndReason::None &&
+      iterations % IterationsOfLattice() == 0)
     {
-      return this->AfterDenseIteration(descent);
+      this->MoveLattice();
+      this->State.Kept = std::numeric_limits<double>::max();
+      this->State.Descent.Gradient.clear();
+      this->State.Descent.Steps.clear();
+      this->State.Descent.GradientChanges.clear();
+      this->RoundEnds = true;
     }
-    const bool due = descent.Iterations % IterationsBetweenKept == 0;
+    return endedBy;
+  }
+
+  // The same for a cell that is not dense
+  EndReason AfterLooseIteration(int iterations)
+  {
+    const double objective = this->Terms.TwoPoint;
+    const bool fits = this->Terms.Misfits.Largest() <= 1.0;
+    const bool due = iterations % IterationsBetweenKept == 0;
     const bool promising =
-      objective <= this->Settings.TargetObjective && objective < 0.99 * this->State.Tried;
+      fits && objective <= this->Settings.TargetObjective && objective < 0.99 * this->State.Tried;
     if (due || promising)
     {
       this->State.Tried = objective;
-      this->Keep(descent.Place);
-      if (this->MeetsTarget())
+      this->Keep(this->State.Descent.Place);
+      if (this->MeetsObjective())
       {
         return EndReason::TargetObjective;
       }
     }
     if (due)
     {
-      this->State.Converged = objective > (1.0 - LeastProgress) * this->State.Kept;
+      this->State.Converged = fits && objective > (1.0 - LeastProgress) * this->State.Kept;
       this->State.Kept = objective;
       if (this->State.Converged)
       {
         return EndReason::Converged;
       }
     }
-    return descent.Iterations >= this->Settings.MaximumIterations ? EndReason::MaximumIterations
-                                                                  : EndReason::None;
+    return this->StageIsOver() ? EndReason::MaximumIterations : EndReason::None;
   }
 
   CellContents Contents; // with another edge where spheres jam
@@ -423,12 +429,12 @@ private:
   Communicator& Ranks;
   const std::function<bool(const SearchState&)>& CarryOn;
   const std::function<void(const GradientState&)>& Save;
-  std::optional<CellObjective> Objective;
-  CellObjective::Terms Terms{};
+  std::optional<SearchObjective> Objective;
+  SearchObjective::Terms Terms;
   GradientState State;
-  std::optional<ContactMultipliers> Contacts; // of a dense cell
   bool RoundEnds = false;
   UnitCell Best;
+  NeighbourMisfits BestMisfits;
   bool Dense;
   std::int64_t Wish = 0; // 1 where this rank wishes to stop
   bool Stopped = false;  // the same on all ranks
@@ -458,35 +464,29 @@ UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbabilit
   return search.Run();
 }
 
-namespace
+double MostIterations(const GradientSearchSettings& settings)
 {
-// Of the pack by events with which a dense cell begins; nothing where it is not known to be dense
-Estimate EstimateStart(const CellFigures& cell)
-{
-  constexpr double MostInSample = 2000.0;
-  DensePackSettings settings;
-  settings.Protocol = PackingProtocol::Events;
-  settings.Fraction = 0.0;
-  for (std::size_t mode = 0; mode < cell.Share.size() && mode < cell.Radius.size(); ++mode)
-  {
-    const double spheres = std::min(cell.Spheres, MostInSample) * cell.Share[mode];
-    settings.Radii.insert(
-      settings.Radii.end(), std::max(1, static_cast<int>(spheres)), cell.Radius[mode]);
-    settings.Fraction += cell.Density * cell.Share[mode] * SphereVolume(cell.Radius[mode]);
-  }
-  const double edge = std::cbrt(cell.Spheres / cell.Density);
-  return !settings.Radii.empty() && IsDense(settings.Radii, settings.Fraction, edge)
-    ? EstimateDensePack(settings, cell.Spheres)
-    : Estimate();
-}
+  const double first = settings.MaximumIterations;
+  return settings.Neighbours.Empty() ? first : first + LatticesOfSearch * std::ceil(0.5 * first);
 }
 
-Estimate EstimateGradientSearch(const CellFigures& cell, const LagGrid& lags, int iterations)
+Estimate EstimateGradientSearch(
+  const CellFigures& cell, const LagGrid& lags, const GradientSearchSettings& settings)
 {
-  Estimate estimate = { cell.Spheres * SecondsPerStartedSphere +
-      (iterations + 1.0) * EstimateEvaluation(cell, lags, true),
+  const NeighbourTarget& neighbours = settings.Neighbours;
+  const double first = settings.MaximumIterations;
+  const double evaluation = EstimateEvaluation(cell, lags, true);
+  Estimate estimate{ cell.Spheres * SecondsPerStartedSphere + (first + 1.0) * evaluation,
     (cell.Spheres * 1000.0 + EstimateObjectiveBytes(cell, lags)) / BytesOfMegabyte, 0.0 };
-  estimate += EstimateStart(cell);
+  if (neighbours.ContactWeight + neighbours.PoreWeight > 0.0)
+  {
+    const Estimate pores = EstimatePoreTerm(cell.Spheres);
+    const bool withPores = neighbours.PoreWeight > 0.0;
+    estimate.Seconds +=
+      LatticesOfSearch * std::ceil(0.5 * first) * (evaluation + (withPores ? pores.Seconds : 0.0));
+    estimate.MegabytesOfRank += withPores ? pores.MegabytesOfRank : 0.0;
+  }
+  estimate += EstimateDenseStart(cell);
   return estimate;
 }
 }

@@ -5,9 +5,10 @@
 #include "ruc/Base/Communicator.h"
 #include "ruc/Base/Estimate.h"
 #include "ruc/Reconstruction/CellContents.h"
-#include "ruc/Reconstruction/ContactMultipliers.h"
 #include "ruc/Reconstruction/CellObjective.h"
-#include "ruc/Base/Descent.h"
+#include "ruc/Reconstruction/CellStart.h"
+#include "ruc/Reconstruction/GradientState.h"
+#include "ruc/Reconstruction/SearchObjective.h"
 #include "ruc/Reconstruction/SearchSettings.h"
 #include "ruc/Reconstruction/UnitCell.h"
 #include "ruc/Statistics/Results/TwoPointProbability.h"
@@ -23,7 +24,16 @@ namespace ruc
 struct GradientSearchSettings : SearchSettings
 {
   int MaximumIterations = 1000; // 0 gives the start with its overlap removed
+  /** The near neighbours and pores of the pack; without a pack they are empty. */
+  NeighbourTarget Neighbours;
 
+  template <class Self, class Visit>
+  static void VisitSearch(Self& self, Visit&& visit)
+  {
+    SearchSettings::VisitSearch(self, visit);
+    visit("ContactWeight", self.Neighbours.ContactWeight, Range::AtLeast(0));
+    visit("PoreWeight", self.Neighbours.PoreWeight, Range::AtLeast(0));
+  }
   template <class Self, class Visit>
   static void VisitEnd(Self& self, Visit&& visit)
   {
@@ -53,41 +63,19 @@ constexpr double DescentPenaltyWeight = 0.02;
  */
 double FirstStepOf(const CellContents& contents);
 
-/**
- * The whole state of a search between two iterations, from which it resumes to the same end, bit by
- * bit.
- */
-struct GradientState
-{
-  DescentState Descent;
-  std::vector<double> Best; // the centres of the best cell so far
-  double StartObjective = 0.0;
-  double Kept = 0.0;  // F2 at the last multiple of IterationsBetweenKept
-  double Tried = 0.0; // F2 when a cell was last freed from overlap
-  bool Converged = false;
-  std::vector<SearchState> Convergence;
-  // Of a dense cell
-  ContactState Contacts;
-  double Edge = 0.0;
-
-  template <class Self>
-  static auto Fields(Self& self)
-  {
-    return std::tie(self.Descent, self.Best, self.StartObjective, self.Kept, self.Tried,
-      self.Converged, self.Convergence, self.Contacts, self.Edge);
-  }
-};
-
-/**
- * Above this share of MaximumRandomFraction cells are dense: their spheres touch so often that a
- * search from random centres would jam, with overlap.
- */
-constexpr double DenseShare = 0.94;
+/** The most iterations of a search, with those that near neighbours and pores take. */
+double MostIterations(const GradientSearchSettings& settings);
 
 /**
  * Looks for the periodic cell with the given contents whose two-point probability is nearest to the
  * target (13), without overlap (14). It begins with random centres, pushes their overlap out, runs
  * L-BFGS on F2 with an overlap penalty, and removes the last overlap exactly.
+ *
+ * With GradientSearchSettings::Neighbours the search then goes on with F2, near neighbours and
+ * pores together (SearchObjective), three times for half as many iterations, each with another
+ * lattice of the pores; the best cell is that with the least sum. F0 is half of F2 as the first
+ * descent left it. The target objective ends the first descent, and then the search once all
+ * misfits are at most 1 as well.
  *
  * A dense cell begins with a pack by events (MakeDensePack). L-BFGS descends first with soft
  * contacts, then with multipliers (ContactMultipliers), and every cell that is kept is freed by
@@ -110,9 +98,10 @@ UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbabilit
   const std::function<void(const GradientState&)>& save = {});
 
 /**
- * What SearchByGradient takes if it runs to its last iteration, with the pack by events with which
- * a cell begins that is known to be dense. Throws std::invalid_argument where SearchByGradient does
- * for its fraction.
+ * What SearchByGradient takes if it runs to its last iteration, with terms that weigh > 0, and with
+ * the pack by events with which a cell begins that is known to be dense. Throws
+ * std::invalid_argument where SearchByGradient does for its fraction.
  */
-Estimate EstimateGradientSearch(const CellFigures& cell, const LagGrid& lags, int iterations);
+Estimate EstimateGradientSearch(
+  const CellFigures& cell, const LagGrid& lags, const GradientSearchSettings& settings);
 }

@@ -69,7 +69,10 @@ State Read(std::string_view bytes, const SearchKey& key, SearchStops* stops)
 SearchKey MakeKey(const CellContents& contents, const TwoPointProbability& target,
   const GradientSearchSettings& settings)
 {
-  return { GradientMethod, FingerprintOf(contents), FingerprintOf(target),
+  const NeighbourTarget& neighbours = settings.Neighbours;
+  return { GradientMethod, FingerprintOf(contents),
+    neighbours.Empty() ? FingerprintOf(target)
+                       : FingerprintOfBytes(ToBytes(target) + ToBytes(neighbours.Pack)),
     FingerprintOfSettings(settings) };
 }
 

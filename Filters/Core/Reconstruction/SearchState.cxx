@@ -9,8 +9,8 @@ namespace ruc
 namespace
 {
 // In the order of the enumerations
-constexpr const char* PhaseNames[] = { "removing overlap", "minimising F2",
-  "annealing population" };
+constexpr const char* PhaseNames[] = { "removing overlap", "minimising F2", "annealing population",
+  "fitting neighbours" };
 constexpr const char* ReasonNames[] = { "", "Target objective", "Maximum iterations", "Converged",
   "Stopped", "Time limit", "Stop file", "Abort", "Stop button" };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ruc/Reconstruction/NeighbourMisfits.h"
+
 #include <cstdint>
 #include <tuple>
 
@@ -12,11 +14,12 @@ enum class SearchPhase : std::uint8_t
 {
   RemovingOverlap,
   MinimisingObjective,
-  AnnealingPopulation
+  AnnealingPopulation,
+  FittingNeighbours
 };
 constexpr int CountOf(SearchPhase)
 {
-  return 3;
+  return 4;
 }
 
 /**
@@ -62,12 +65,13 @@ struct SearchState
   /** Of the contacts of a dense cell (ContactMultipliers); 0 for others and before there are any.
    */
   double SumOfMultipliers = 0.0;
+  NeighbourMisfits Misfits; // 0 before they are looked at
 
   template <class Self>
   static auto Fields(Self& self)
   {
-    return std::tie(
-      self.Phase, self.Iteration, self.Objective, self.OverlapPercent, self.SumOfMultipliers);
+    return std::tie(self.Phase, self.Iteration, self.Objective, self.OverlapPercent,
+      self.SumOfMultipliers, self.Misfits);
   }
 };
 }

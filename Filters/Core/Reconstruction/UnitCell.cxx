@@ -5,6 +5,8 @@
 #include "ruc/Packing/OverlapRemoval.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
 
+#include <algorithm>
+
 namespace ruc
 {
 UnitCell FinishUnitCell(SpherePack pack, const Window& box, const TwoPointProbability& target,
@@ -24,5 +26,20 @@ UnitCell MeasureUnitCell(
   const PackOverlap overlap = MeasureOverlap(pack, box);
   return { std::move(pack), box, objective, 0.0, overlap, 0, EndReason::None,
     std::move(probability), {} };
+}
+
+double OverlapPercentOf(const TwoPointProbability& probability)
+{
+  double fraction = 0.0;
+  double counted = 0.0;
+  for (int r = 0; r < probability.Modes; ++r)
+  {
+    fraction += probability.Fractions[r];
+    for (int s = 0; s < probability.Modes; ++s)
+    {
+      counted += probability.S(r, s)[0];
+    }
+  }
+  return std::max(0.5 * (counted - fraction) / fraction, 0.0) * 100.0;
 }
 }

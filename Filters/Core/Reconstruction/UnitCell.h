@@ -58,4 +58,10 @@ UnitCell MeasureUnitCell(
  */
 UnitCell FinishUnitCell(SpherePack pack, const Window& box, const TwoPointProbability& target,
   std::uint32_t seed, Communicator& ranks, const std::function<bool()>& carryOn);
+
+/**
+ * Returns the overlap of a cell in percent, as MeasureOverlap defines it, from S_rs(0), to which
+ * every pair that overlaps adds its lens volume twice.
+ */
+double OverlapPercentOf(const TwoPointProbability& probability);
 }

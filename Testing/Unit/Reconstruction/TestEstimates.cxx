@@ -157,7 +157,9 @@ TEST(Estimates, OfDenseCellsHaveTheirStart)
     cell.LargestRadius = 0.5;
     cell.Radius = { 0.5 };
     cell.Share = share;
-    return ruc::EstimateGradientSearch(cell, { 0.05, 60 }, 10).Seconds;
+    ruc::GradientSearchSettings settings;
+    settings.MaximumIterations = 10;
+    return ruc::EstimateGradientSearch(cell, { 0.05, 60 }, settings).Seconds;
   };
   ruc::DensePackSettings settings;
   settings.Radii = { 0.5 };
@@ -197,7 +199,12 @@ TEST(Estimates, OfSearchesGrowWithTheirIterations)
   cell.LargestRadius = 0.5;
   cell.Modes = 9;
   const ruc::LagGrid lags = { 0.05, 100 };
-  const auto gradient = [&](int n) { return ruc::EstimateGradientSearch(cell, lags, n).Seconds; };
+  ruc::GradientSearchSettings descent;
+  const auto gradient = [&](int n)
+  {
+    descent.MaximumIterations = n;
+    return ruc::EstimateGradientSearch(cell, lags, descent).Seconds;
+  };
   EXPECT_NEAR((gradient(300) - gradient(0)) / (gradient(100) - gradient(0)), 3.0, 1e-9);
   EXPECT_NEAR((gradient(100) - gradient(0)) / 100.0, ruc::EstimateEvaluation(cell, lags, true),
     1e-9 * gradient(100));

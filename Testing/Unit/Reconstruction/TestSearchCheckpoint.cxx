@@ -59,8 +59,8 @@ PopulationState SmallState()
   state.First = { 1.0, 2.0, 3.0 };
   state.Temperature = 0.125;
   state.Stagnation = 2;
-  state.Convergence = { { ruc::SearchPhase::AnnealingPopulation, 0, 0.75, 0.5 },
-    { ruc::SearchPhase::RemovingOverlap, 1, 0.5, 0.0 } };
+  state.Convergence = { { ruc::SearchPhase::AnnealingPopulation, 0, 0.75, 0.5, 0.0, {} },
+    { ruc::SearchPhase::RemovingOverlap, 1, 0.5, 0.0, 0.7, { 0.1, 0.2, 0.3 } } };
   state.Descending = 1;
   state.Descent = { { 1.0, 2.0 }, { 3.0, 4.0 }, 5.0, 6, { { 7.0, 8.0 } }, { { 9.0, 10.0 } } };
   return state;
@@ -203,8 +203,8 @@ TEST(SearchCheckpoint, AValueThatCannotBeIsRefused)
   other.Convergence[0].Phase = ruc::SearchPhase::RemovingOverlap;
   const std::string c = ruc::WriteCheckpoint(SmallState(), SmallKey),
                     d = ruc::WriteCheckpoint(other, SmallKey);
-  EXPECT_EQ(Refusal(forge(c, d, 2)), "<no exception>");
-  for (int phase : { 3, 255 })
+  EXPECT_EQ(Refusal(forge(c, d, 3)), "<no exception>");
+  for (int phase : { 4, 255 })
   {
     EXPECT_EQ(Refusal(forge(c, d, static_cast<char>(phase))), cannotBe);
   }

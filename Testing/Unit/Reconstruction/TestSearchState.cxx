@@ -13,6 +13,7 @@ TEST(SearchState, HasTheNamesThatUsersSee)
   EXPECT_STREQ(ruc::NameOf(SearchPhase::RemovingOverlap), "removing overlap");
   EXPECT_STREQ(ruc::NameOf(SearchPhase::MinimisingObjective), "minimising F2");
   EXPECT_STREQ(ruc::NameOf(SearchPhase::AnnealingPopulation), "annealing population");
+  EXPECT_STREQ(ruc::NameOf(SearchPhase::FittingNeighbours), "fitting neighbours");
   EXPECT_STREQ(ruc::NameOf(EndReason::None), "");
   EXPECT_STREQ(ruc::NameOf(EndReason::TargetObjective), "Target objective");
   EXPECT_STREQ(ruc::NameOf(EndReason::MaximumIterations), "Maximum iterations");

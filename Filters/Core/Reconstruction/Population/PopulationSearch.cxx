@@ -47,7 +47,7 @@ public:
     // This member is all that there is where the search is stopped before another one is made
     Member start = this->Evaluated(RandomCentres(this->Contents, this->Settings.Seed, 0));
     const SearchState startState = { SearchPhase::AnnealingPopulation, 0, start.Objective,
-      start.OverlapPercent };
+      start.OverlapPercent, 0.0, {} };
     const auto keep = [&](Member& member)
     {
       this->State.Add(std::move(member));
@@ -383,7 +383,7 @@ private:
   {
     const int best = this->BestMember();
     return { SearchPhase::AnnealingPopulation, this->State.Generation, this->State.Objective[best],
-      this->State.OverlapPercent[best] };
+      this->State.OverlapPercent[best], 0.0, {} };
   }
 
   void FinishGeneration()
@@ -451,8 +451,8 @@ private:
     cell.StartObjective = this->State.First.Mean;
     cell.Convergence = this->State.Convergence;
     cell.Iterations = static_cast<int>(cell.Convergence.size());
-    cell.Convergence.push_back(
-      { SearchPhase::RemovingOverlap, cell.Iterations, cell.Objective, cell.Overlap.Percent });
+    cell.Convergence.push_back({ SearchPhase::RemovingOverlap, cell.Iterations, cell.Objective,
+      cell.Overlap.Percent, 0.0, {} });
     cell.EndedBy = endedBy;
     return cell;
   }

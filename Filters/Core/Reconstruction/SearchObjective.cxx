@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Reconstruction/SearchObjective.h"
+
+#include "ruc/Reconstruction/GradientSearch.h"
+
+namespace ruc
+{
+SearchObjective::SearchObjective(const CellContents& contents, const TwoPointProbability& target,
+  const NeighbourTarget& neighbours, bool dense, ContactState& contacts, Communicator& communicator)
+  : Neighbours(neighbours)
+  , Pairs(contents, target, communicator)
+{
+  this->Pairs.SetPenaltyWeight(dense ? 0.0 : DescentPenaltyWeight);
+  const std::vector<double> anywhere(3 * contents.NumberOfSpheres(), 0.0);
+  const SpherePack spheres = contents.MakePack(anywhere.data());
+  if (dense)
+  {
+    this->Contacts.emplace(spheres, contents.MakeBox(), contacts);
+  }
+  if (neighbours.HasContacts())
+  {
+    this->Near.emplace(spheres, contents.MakeBox(), neighbours.Pack);
+  }
+  if (neighbours.HasPores())
+  {
+    this->Pores.emplace(contents, neighbours.Pack, communicator);
+  }
+}
+
+void SearchObjective::BeginNeighbours(double reference)
+{
+  this->Reference = reference;
+}
+
+void SearchObjective::MoveLattice(int n)
+{
+  if (this->Pores)
+  {
+    this->Pores->MoveLattice(n);
+  }
+}
+
+SearchObjective::Terms SearchObjective::Evaluate(
+  const double* centres, double* gradient, std::int64_t* signal)
+{
+  const CellObjective::Terms pairs = this->Pairs.Evaluate(centres, gradient, signal);
+  Terms terms;
+  terms.TwoPoint = pairs.TwoPoint;
+  terms.Misfits = this->AddNeighbours(centres, gradient);
+  const double penalty = this->Contacts ? this->Contacts->Add(centres, gradient) : pairs.Penalty;
+  terms.Total = this->ValueOf(pairs.TwoPoint, terms.Misfits) + penalty;
+  return terms;
+}
+
+NeighbourMisfits SearchObjective::FindMisfits(const double* centres)
+{
+  return this->AddNeighbours(centres, nullptr);
+}
+
+double SearchObjective::ValueOf(double twoPoint, const NeighbourMisfits& misfits) const
+{
+  return twoPoint +
+    this->Reference *
+    (this->Neighbours.ContactWeight * (misfits.Gaps + misfits.Nearest) +
+      this->Neighbours.PoreWeight * misfits.Pores);
+}
+
+NeighbourMisfits SearchObjective::AddNeighbours(const double* centres, double* gradient)
+{
+  NeighbourMisfits misfits;
+  if (this->Reference > 0.0 && this->Near)
+  {
+    const ContactTerm::Misfits near =
+      this->Near->Evaluate(centres, this->Reference * this->Neighbours.ContactWeight, gradient);
+    misfits.Gaps = near.Gaps;
+    misfits.Nearest = near.Nearest;
+  }
+  if (this->Reference > 0.0 && this->Pores)
+  {
+    misfits.Pores =
+      this->Pores->Evaluate(centres, this->Reference * this->Neighbours.PoreWeight, gradient);
+  }
+  return misfits;
+}
+}
