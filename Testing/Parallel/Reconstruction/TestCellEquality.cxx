@@ -55,6 +55,18 @@ TEST_P(CellEquality, OneCell)
   ExpectSame<Cell>(SmallCell);
 }
 
+TEST_P(CellEquality, WithNearNeighboursAndPores)
+{
+  ExpectSame<Cell>(
+    [](Cell* f)
+    {
+      SmallCell(f);
+      f->SetMaximumIterations(20);
+      f->SetContactWeight(1.0);
+      f->SetPoreWeight(1.0);
+    });
+}
+
 TEST_P(MethodEquality, Gradient)
 {
   this->ExpectSameCells(0);
