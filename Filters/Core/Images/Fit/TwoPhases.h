@@ -37,6 +37,7 @@ struct TwoPhases
  */
 TwoPhases FindPhases(const VoxelSlab<float>& image, const PhaseSearch& search, Communicator& ranks);
 
-/** Returns the image when it is smoothed so many times by Smooth. Neither has a halo. Collective. */
+/** Returns the image when it is smoothed so many times by Smooth. Neither has a halo. Collective.
+ */
 VoxelSlab<float> Smoothed(VoxelSlab<float> image, int times, Communicator& ranks);
 }
