@@ -13,7 +13,6 @@
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -39,11 +38,35 @@ int ColumnOf(const ruc::Vector3& place, const ruc::Window& box)
   return 3 * third(0) + third(1);
 }
 
-struct Figures
+// A sphere, or a point, and those that may be near it: their distance along x is at most `reach`,
+// where x is not periodic
+struct Around
 {
-  // Neighbours of a sphere with gap <= Gaps, the share of the matrix with distance > Pores, the
-  // median of the least gap
-  std::vector<double> Values;
+  const ruc::SpherePack& Pack; // sorted by x
+  const ruc::Window& Box;
+
+  template <class Visit>
+  void Each(const ruc::Vector3& place, double reach, Visit&& visit) const
+  {
+    std::size_t first = 0, last = this->Pack.Size();
+    if (!this->Box.Periodic[0])
+    {
+      const std::vector<double>& x = this->Pack.X;
+      first = std::lower_bound(x.begin(), x.end(), place[0] - reach) - x.begin();
+      last = std::upper_bound(x.begin(), x.end(), place[0] + reach) - x.begin();
+    }
+    for (std::size_t j = first; j < last; ++j)
+    {
+      ruc::Vector3 d;
+      for (int q = 0; q < 3; ++q)
+      {
+        const double edge = this->Box.Size[q];
+        d[q] = this->Pack.Centre(j)[q] - place[q];
+        d[q] -= this->Box.Periodic[q] ? edge * std::nearbyint(d[q] / edge) : 0.0;
+      }
+      visit(j, d);
+    }
+  }
 };
 
 double Median(std::vector<double> values)
@@ -52,24 +75,15 @@ double Median(std::vector<double> values)
   return values.empty() ? 0.0 : values[values.size() / 2];
 }
 
-// For all spheres (column -1) or those of one column, whose neighbours lie anywhere
-Figures Measure(const ruc::SpherePack& pack, const ruc::Window& box, int column)
+// Neighbours of a sphere with gap <= Gaps, and the median of the least gap; of all spheres (column
+// -1) or those of one column, whose neighbours lie anywhere
+std::vector<double> MeasureGaps(const Around& around, int column, double& median)
 {
-  const double largest = pack.LargestRadius();
-  const auto apart = [&](const ruc::Vector3& a, const ruc::Vector3& b)
-  {
-    ruc::Vector3 d;
-    for (int q = 0; q < 3; ++q)
-    {
-      d[q] = b[q] - a[q];
-      d[q] -= box.Periodic[q] ? box.Size[q] * std::nearbyint(d[q] / box.Size[q]) : 0.0;
-    }
-    return d;
-  };
-  // Spheres by their x, to look only at those near by; images along x are found by all pairs
+  const ruc::SpherePack& pack = around.Pack;
+  const ruc::Window& box = around.Box;
+  const double reach = 2.0 * pack.LargestRadius() * (1.0 + Gaps.back());
   std::vector<double> counts(Gaps.size(), 0.0), nearest;
   double spheres = 0.0;
-  const double reach = 2.0 * largest * (1.0 + Gaps.back());
   for (std::size_t i = 0; i < pack.Size(); ++i)
   {
     if (column >= 0 && ColumnOf(pack.Centre(i), box) != column)
@@ -84,35 +98,40 @@ Figures Measure(const ruc::SpherePack& pack, const ruc::Window& box, int column)
       inside = inside && (box.Periodic[q] || (x > reach && x < box.Size[q] - reach));
     }
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t j = 0; j < pack.Size(); ++j)
-    {
-      const double x = pack.X[j] - pack.X[i];
-      if (i == j || (!box.Periodic[0] && std::abs(x) > reach))
+    around.Each(pack.Centre(i), reach,
+      [&](std::size_t j, const ruc::Vector3& d)
       {
-        continue;
-      }
-      const ruc::Vector3 d = apart(pack.Centre(i), pack.Centre(j));
-      const double distance = ruc::Length(d), contact = pack.Radius[i] + pack.Radius[j];
-      least = std::min(least, distance - contact);
-      const double weight = distance / contact - 1.0 <= Gaps.back()
-        ? box.Volume() / box.SetCovariance(d[0], d[1], d[2])
-        : 0.0;
-      for (std::size_t k = 0; k < Gaps.size(); ++k)
-      {
-        counts[k] += distance / contact - 1.0 <= Gaps[k] ? weight : 0.0;
-      }
-    }
+        const double distance = ruc::Length(d), contact = pack.Radius[i] + pack.Radius[j];
+        const double gap = distance / contact - 1.0;
+        if (i == j || gap > Gaps.back())
+        {
+          return;
+        }
+        least = std::min(least, distance - contact);
+        const double weight = box.Volume() / box.SetCovariance(d[0], d[1], d[2]);
+        for (std::size_t k = 0; k < Gaps.size(); ++k)
+        {
+          counts[k] += gap <= Gaps[k] ? weight : 0.0;
+        }
+      });
     if (inside)
     {
       nearest.push_back(least);
     }
   }
-  Figures figures;
-  for (double count : counts)
+  for (double& count : counts)
   {
-    figures.Values.push_back(count / spheres);
+    count /= spheres;
   }
-  // Random points of the matrix, in pores
+  median = Median(nearest);
+  return counts;
+}
+
+// The share of the matrix that is farther than Pores from any surface, by random points
+std::vector<double> MeasurePores(const Around& around, int column)
+{
+  const ruc::Window& box = around.Box;
+  constexpr double margin = 42.0;
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> uniform;
   std::vector<double> wide(Pores.size(), 0.0);
@@ -122,36 +141,40 @@ Figures Measure(const ruc::SpherePack& pack, const ruc::Window& box, int column)
     ruc::Vector3 point;
     for (int q = 0; q < 3; ++q)
     {
-      const double margin = box.Periodic[q] ? 0.0 : 42.0;
-      point[q] = box.Origin[q] + margin + (box.Size[q] - 2.0 * margin) * uniform(random);
+      const double rim = box.Periodic[q] ? 0.0 : margin;
+      point[q] = box.Origin[q] + rim + (box.Size[q] - 2.0 * rim) * uniform(random);
     }
     if (column >= 0 && ColumnOf(point, box) != column)
     {
       continue;
     }
     double least = std::numeric_limits<double>::infinity();
-    std::size_t first = 0, last = pack.Size();
-    if (!box.Periodic[0]) // the pack is sorted by x
-    {
-      first = std::lower_bound(pack.X.begin(), pack.X.end(), point[0] - 42.0) - pack.X.begin();
-      last = std::upper_bound(pack.X.begin(), pack.X.end(), point[0] + 42.0) - pack.X.begin();
-    }
-    for (std::size_t j = first; j < last; ++j)
-    {
-      least = std::min(least, ruc::Length(apart(point, pack.Centre(j))) - pack.Radius[j]);
-    }
+    around.Each(point, margin,
+      [&](std::size_t j, const ruc::Vector3& d)
+      { least = std::min(least, ruc::Length(d) - around.Pack.Radius[j]); });
     matrix += least > 0.0;
     for (std::size_t k = 0; k < Pores.size(); ++k)
     {
       wide[k] += least > Pores[k];
     }
   }
-  for (double count : wide)
+  for (double& count : wide)
   {
-    figures.Values.push_back(count / matrix);
+    count /= matrix;
   }
-  figures.Values.push_back(Median(nearest));
-  return figures;
+  return wide;
+}
+
+// All figures, in the order in which they are printed
+std::vector<double> Measure(const ruc::SpherePack& pack, const ruc::Window& box, int column)
+{
+  const Around around{ pack, box };
+  double median = 0.0;
+  std::vector<double> values = MeasureGaps(around, column, median);
+  const std::vector<double> wide = MeasurePores(around, column);
+  values.insert(values.end(), wide.begin(), wide.end());
+  values.push_back(median);
+  return values;
 }
 
 void Print(const char* what, const std::vector<double>& values)
@@ -184,45 +207,32 @@ int main(int argc, char** argv)
   std::printf("Near neighbours and pores of the pack: %.2f s of CPU\n", CpuSeconds() - began);
   std::printf("Neighbours of a sphere with a gap of at most 0.5, 1, 2, 5, 10, 20, 40 %%; P(pore > "
               "10), P(pore > 12 um); median least gap, um\n");
-  if (std::getenv("SKIP_PACK") == nullptr)
+  const std::vector<double> whole = Measure(pack, Block, -1);
+  std::vector<double> mean(whole.size(), 0.0), squares(mean), errors;
+  for (int column = 0; column < Columns; ++column)
   {
-    const Figures whole = Measure(pack, Block, -1);
-    std::vector<double> mean(whole.Values.size(), 0.0), squares(mean);
-    for (int column = 0; column < Columns; ++column)
-    {
-      const Figures part = Measure(pack, Block, column);
-      for (std::size_t n = 0; n < mean.size(); ++n)
-      {
-        mean[n] += part.Values[n] / Columns;
-        squares[n] += part.Values[n] * part.Values[n] / Columns;
-      }
-    }
-    std::vector<double> errors;
+    const std::vector<double> part = Measure(pack, Block, column);
     for (std::size_t n = 0; n < mean.size(); ++n)
     {
-      errors.push_back(std::sqrt(std::max(squares[n] - mean[n] * mean[n], 0.0) / (Columns - 1)));
+      mean[n] += part[n] / Columns;
+      squares[n] += part[n] * part[n] / Columns;
     }
-    Print("pack", whole.Values);
-    Print("its standard error", errors);
   }
+  for (std::size_t n = 0; n < mean.size(); ++n)
+  {
+    errors.push_back(std::sqrt(std::max(squares[n] - mean[n] * mean[n], 0.0) / (Columns - 1)));
+  }
+  Print("pack", whole);
+  Print("its standard error", errors);
+
   for (int seed = 1; seed <= static_cast<int>(argument(5, 1.0)); ++seed)
   {
     settings.Seed = seed;
-    int evaluations = 0;
     const double start = CpuSeconds();
     const ruc::UnitCell cell = ruc::SearchByGradient(
-      contents, target, settings, alone, [&](const ruc::SearchState&) { ++evaluations; return true; });
+      contents, target, settings, alone, [](const ruc::SearchState&) { return true; });
     const double seconds = CpuSeconds() - start;
-    Print("cell", Measure(cell.Pack, cell.Box, -1).Values);
-    if (std::getenv("TRACE") != nullptr)
-    {
-      for (std::size_t n = 0; n < cell.Convergence.size(); n += 50)
-      {
-        const ruc::SearchState& s = cell.Convergence[n];
-        std::printf("%zu %d F2 %.5f overlap %.3g misfits %.4g %.4g %.4g\n", n, (int)s.Phase, s.Objective, s.OverlapPercent, s.Misfits.Gaps, s.Misfits.Nearest, s.Misfits.Pores);
-      }
-    }
-    std::printf("asked %d\n", evaluations);
+    Print("cell", Measure(cell.Pack, cell.Box, -1));
     const ruc::NeighbourMisfits& misfits = cell.Convergence.back().Misfits;
     std::printf("seed %d: F2 %.4f after %d iterations, %s, overlap %g %%, misfits %.3g %.3g %.3g, "
                 "%.1f s of CPU\n",
