@@ -51,6 +51,20 @@ bool IsDense(const std::vector<double>& radii, double fraction, double edge)
     edge > SphereRooms::LeastEdgeInDiameters * largest * (1.0 + 1e-6);
 }
 
+void RequireLoose(const CellContents& contents)
+{
+  // Above this share of the maximum spheres that are pushed apart jam
+  constexpr double most = 0.98;
+  const double fraction = contents.Fraction(), maximum = MaximumRandomFraction(contents.Radii());
+  if (fraction > most * maximum)
+  {
+    throw std::invalid_argument(Text("Method requires Gradient for a cell as dense as this one, of "
+                                     "a fraction of ",
+      fraction, " where random packs of these sizes reach about ", maximum,
+      ": the cells of a population would keep overlap."));
+  }
+}
+
 std::vector<double> DenseCentres(
   CellContents& contents, std::uint32_t seed, const std::function<bool()>& carryOn)
 {

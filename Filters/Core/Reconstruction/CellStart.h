@@ -27,6 +27,12 @@ std::vector<double> RandomCentres(
  */
 constexpr double DenseShare = 0.94;
 
+/**
+ * Throws std::invalid_argument where the cells of a population would keep overlap: above 0.98 of
+ * MaximumRandomFraction spheres that are pushed apart jam.
+ */
+void RequireLoose(const CellContents& contents);
+
 /** The most that the edge of a dense cell may grow where its spheres jam. */
 constexpr double LongestEdge = 1.2;
 

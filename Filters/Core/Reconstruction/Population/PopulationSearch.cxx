@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Reconstruction/Population/PopulationSearch.h"
 
-#include "ruc/Base/Text.h"
 #include "ruc/Packing/MassSpring.h"
-#include "ruc/Packing/MaximumFraction.h"
 #include "ruc/Packing/OverlapRemoval.h"
 #include "ruc/Reconstruction/CellObjective.h"
 #include "ruc/Reconstruction/CellStart.h"
@@ -15,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace ruc
 {
@@ -470,20 +467,6 @@ private:
   std::int64_t Wish = 0; // 1 where this rank wishes to stop
   bool Stopped = false;  // the same on all ranks
 };
-}
-
-void RequireLoose(const CellContents& contents)
-{
-  // Above this share of the maximum spheres that are pushed apart jam
-  constexpr double most = 0.98;
-  const double fraction = contents.Fraction(), maximum = MaximumRandomFraction(contents.Radii());
-  if (fraction > most * maximum)
-  {
-    throw std::invalid_argument(Text("Method requires Gradient for a cell as dense as this one, of "
-                                     "a fraction of ",
-      fraction, " where random packs of these sizes reach about ", maximum,
-      ": the cells of a population would keep overlap."));
-  }
 }
 
 PopulationResult SearchByPopulation(const CellContents& contents, const TwoPointProbability& target,

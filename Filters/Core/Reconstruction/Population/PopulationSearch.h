@@ -21,12 +21,6 @@ struct PopulationResult
 };
 
 /**
- * Throws std::invalid_argument where the cells of a population would keep overlap: above 0.98 of
- * MaximumRandomFraction spheres that are pushed apart jam.
- */
-void RequireLoose(const CellContents& contents);
-
-/**
  * Looks for the same cell as SearchByGradient by the paper's Algorithm 1, an augmented simulated
  * annealing. Part of the first population is random, the rest is deposited. Every generation draws
  * a mating pool by rank, alters it by genetic operators and by the mass-spring mutation, and lets
