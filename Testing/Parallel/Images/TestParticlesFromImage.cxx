@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Particles are the same however an image is spread over any number of ranks, and bad images are
-// refused
+// Particles are the same however an image is spread over any number of ranks
 #include "Equality.h"
 #include "Refusals.h"
 #include "Stops.h"
-#include "VoxelImages.h"
+#include "ParticleImages.h"
 
 #include "vtkRUCParticlesFromImage.h"
 
@@ -19,77 +18,10 @@
 #include <functional>
 #include <limits>
 
-using Particles = vtkRUCParticlesFromImage;
+using namespace ParticleImages;
 
 namespace
 {
-constexpr int Size[3] = { 41, 29, 36 };
-constexpr double VoxelEdge = 0.5; // of a voxel
-constexpr double Origin[3] = { 1.0, 2.0, 3.0 };
-
-struct Sphere
-{
-  double X, Y, Z, Radius; // in voxels; the last two are cut
-};
-const Sphere Spheres[] = { { 10.2, 11.0, 10.1, 6.5 }, { 28.3, 12.1, 11.5, 5.2 },
-  { 12.0, 14.9, 26.3, 7.0 }, { 19.8, 17.0, 13.0, 3.9 }, { 38.5, 14.0, 24.0, 6.0 },
-  { 27.0, 20.0, 34.0, 6.8 } };
-constexpr int NumberOfSpheres = 6;
-
-double BlurredBall(const Sphere& ball, int x, int y, int z)
-{
-  constexpr double blur = 1.05;
-  const double r = std::max(0.1, std::hypot(x + 0.5 - ball.X, y + 0.5 - ball.Y, z + 0.5 - ball.Z));
-  const double t = (ball.Radius - r) / blur;
-  return 0.5 * std::erfc(-t / std::sqrt(2.0)) -
-    blur / r * std::exp(-0.5 * t * t) / std::sqrt(2.0 * 3.14159265358979324);
-}
-
-// Between 500 in the matrix and 900, with even noise of a deviation of a tenth of that
-double GreyAt(int x, int y, int z)
-{
-  double value = 500.0;
-  for (const Sphere& ball : Spheres)
-  {
-    value += 400.0 * BlurredBall(ball, x, y, z);
-  }
-  std::uint32_t hash = 73856093u * x ^ 19349663u * y ^ 83492791u * z;
-  hash = (hash ^ (hash >> 15)) * 2246822519u;
-  hash = (hash ^ (hash >> 13)) * 3266489917u;
-  const double even = ((hash ^ (hash >> 16)) & 0xffff) / 65536.0 - 0.5;
-  return std::rint(value + 40.0 * std::sqrt(12.0) * even);
-}
-
-double LabelAt(int x, int y, int z)
-{
-  for (int n = 0; n < NumberOfSpheres; ++n)
-  {
-    const Sphere& ball = Spheres[n];
-    if (std::hypot(x + 0.5 - ball.X, y + 0.5 - ball.Y, z + 0.5 - ball.Z) < ball.Radius)
-    {
-      return 10.0 * (n + 1);
-    }
-  }
-  return 0.0;
-}
-
-const Form Forms[] = { { "integers on cells", false, VTK_UNSIGNED_SHORT },
-  { "floats on points", true, VTK_FLOAT } };
-
-vtkSmartPointer<vtkImageData> MakeImage(
-  const Form& form, int axis, int begin, int end, const Value& value, const char* name = "Grey")
-{
-  return VoxelImage{ { Size[0], Size[1], Size[2] }, VoxelEdge, name }.Make(
-    form, axis, begin, end, value);
-}
-
-vtkSmartPointer<vtkImageData> Piece(
-  const Form& form, int axis, const Value& value = GreyAt, const char* name = "Grey")
-{
-  const int ranks = NumberOfRanks(), n = Size[axis];
-  return MakeImage(form, axis, n * Rank() / ranks, n * (Rank() + 1) / ranks, value, name);
-}
-
 vtkSmartPointer<Particles> Alone(
   vtkImageData* image, const std::function<void(Particles*)>& configure = [](Particles*) {})
 {
@@ -157,38 +89,6 @@ void ExpectSameParticles(
       }
     }
   }
-}
-
-// Expects that a good image is taken, and one that is spoiled, or with other settings, is not
-void Refuses(
-  const std::vector<std::string>& parts, const std::function<void(vtkImageData*)>& spoil,
-  const std::function<void(Particles*)>& set = [](Particles*) {}, const Value& value = GreyAt)
-{
-  vtkNew<Particles> filter;
-  const Errors errors(filter);
-  filter->SetInputData(Piece(Forms[0], 2));
-  filter->Update();
-  EXPECT_TRUE(errors.Texts.empty()) << "the good image is taken";
-  const auto bad = Piece(Forms[0], 2, value);
-  spoil(bad);
-  set(filter);
-  filter->SetInputData(bad);
-  ExpectRefusal(filter, errors, parts);
-}
-
-void RefusesSettings(
-  const std::vector<std::string>& parts, const std::function<void(Particles*)>& set)
-{
-  Refuses(
-    parts, [](vtkImageData*) {}, set);
-}
-
-void RefusesValues(
-  const std::vector<std::string>& parts, const Value& value,
-  const std::function<void(Particles*)>& set = [](Particles*) {})
-{
-  Refuses(
-    parts, [](vtkImageData*) {}, set, value);
 }
 }
 
@@ -396,8 +296,6 @@ TEST(ParticlesFromImage, LabelsAreTakenAsTheyAre)
     EXPECT_NEAR(pack->GetPoint(n)[2], Origin[2] + VoxelEdge * (5.0 * n + 0.5 * planes), 1e-9);
   }
   ExpectSameParticles(take, slices);
-  RefusesValues({ "Sphere Fit requires voxels of matrix, with the label 0, got none" }, slices,
-    [](auto* f) { f->SetImageKind(Particles::LABELS); });
 }
 
 TEST(ParticlesFromImage, WholeSpheresHaveASmallerWindow)
@@ -497,86 +395,5 @@ TEST(ParticlesFromImage, StopsInEveryPhase)
       EXPECT_EQ(warnings.Texts.size(), Rank() == 0 && !toEnd ? 1u : 0u);
     }
     EXPECT_GE(kept, 1); // the fit stopped between two sweeps; the watershed that was not stopped
-  }
-}
-
-TEST(ParticlesFromImageRefusals, Images)
-{
-  Refuses({ "Particles From Image: Input requires an image with an array of one component" },
-    LeaveColours);
-  Refuses({ "axes along x, y and z, got one with a direction matrix" }, TurnAxes);
-  Refuses({ "requires an image with voxels, got none" },
-    [](vtkImageData* image) { image->Initialize(); });
-  Refuses({ "Input requires voxels whose edges differ by a tenth at most", "got 0.5 x 0.5 x 0.7" },
-    [](vtkImageData* image) { image->SetSpacing(0.5, 0.5, 0.7); });
-}
-
-TEST(ParticlesFromImageRefusals, Values)
-{
-  RefusesValues({ "requires an image of two phases, got one grey only, 5." },
-    [](int, int, int) { return 5.0; });
-  RefusesValues({ "found no particle of a diameter of 3 voxels or more", "are particles dark?" },
-    [](int x, int y, int z) { return x == 20 && y == 14 && z == 18 ? 9.0 : 1.0; });
-  RefusesValues({ "A binary image requires two values, got more" }, GreyAt,
-    [](auto* f) { f->SetImageKind(Particles::BINARY); });
-  RefusesValues(
-    { "ImageArray requires labels above 0, got none" }, [](int, int, int) { return 0.0; },
-    [](auto* f) { f->SetImageKind(Particles::LABELS); });
-  for (double value :
-    { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
-  {
-    vtkNew<Particles> filter;
-    const Errors errors(filter);
-    // On one rank alone
-    filter->SetInputData(Piece(Forms[1], 2,
-      [&](int x, int y, int z)
-      { return x < 3 && y == 4 && z == Size[2] - 1 ? value : GreyAt(x, y, z); }));
-    ExpectRefusal(filter, errors, { "ImageArray requires finite values, got 3 that are not" });
-  }
-  vtkNew<Particles> filter;
-  const Errors errors(filter);
-  filter->SetImageKind(Particles::LABELS);
-  filter->SetInputData(Piece(Forms[1], 2,
-    [&](int x, int y, int z) { return x == 3 && y == 4 && z == 1 ? 0.5 : LabelAt(x, y, z); }));
-  ExpectRefusal(filter, errors, { "ImageArray requires labels that are whole numbers", "got 0.5" });
-}
-
-TEST(ParticlesFromImageRefusals, Settings)
-{
-  RefusesSettings({ "an array 'Grains'" }, [](auto* f) { f->SetImageArray("Grains"); });
-  RefusesSettings(
-    { "ImageKind requires a value from 0 to 3, got 4" }, [](auto* f) { f->SetImageKind(4); });
-  RefusesSettings({ "ParticlesAre requires a value from 0 to 1, got -1" },
-    [](auto* f) { f->SetParticlesAre(-1); });
-  RefusesSettings({ "BorderParticles requires a value from 0 to 1, got 2" },
-    [](auto* f) { f->SetBorderParticles(2); });
-  RefusesSettings(
-    { "Smoothing requires a number from -1 to 10, got 11" }, [](auto* f) { f->SetSmoothing(11); });
-  RefusesSettings({ "Threshold requires a value between those of the image", "got 5000" },
-    [](auto* f) { f->SetThreshold(5000.0); });
-  RefusesSettings({ "Threshold requires a finite number, got nan" },
-    [](auto* f) { f->SetThreshold(std::numeric_limits<double>::quiet_NaN()); });
-  RefusesSettings({ "MinimumDiameter requires a finite number >= 0, got -1" },
-    [](auto* f) { f->SetMinimumDiameter(-1.0); });
-  RefusesSettings({ "OverlapTolerance requires a number from 0 to 1, got 1.5" },
-    [](auto* f) { f->SetOverlapTolerance(1.5); });
-  RefusesSettings({ "ParticleValue requires a value above that of the matrix, 900, got 500" },
-    [](auto* f)
-    {
-      f->SetMatrixValue(900.0);
-      f->SetParticleValue(500.0);
-    });
-  RefusesSettings(
-    { "Method requires a value from 0 to 1, got 2" }, [](auto* f) { f->SetMethod(2); });
-  RefusesSettings({ "MarkerHeight requires a finite number > 0, got 0" },
-    [](auto* f) { f->SetMarkerHeight(0.0); });
-  for (int method : { Particles::SPHERE_FIT, Particles::WATERSHED })
-  {
-    RefusesSettings({ "MemoryLimit requires at least", "got 0.1" },
-      [&](auto* f)
-      {
-        f->SetMethod(method);
-        f->SetMemoryLimit(0.1);
-      });
   }
 }
