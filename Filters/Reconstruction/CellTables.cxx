@@ -14,6 +14,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace
 {
@@ -35,9 +36,11 @@ void FillConvergence(
     objective.push_back(state.Objective);
     overlap.push_back(state.OverlapPercent);
     multipliers.push_back(state.SumOfMultipliers);
-    gaps.push_back(state.Misfits.Gaps);
-    nearest.push_back(state.Misfits.Nearest);
-    pores.push_back(state.Misfits.Pores);
+    const ruc::NeighbourMisfits& misfits = state.Misfits;
+    const double unknown = misfits.Largest() > 0.0 ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+    gaps.push_back(misfits.Gaps + unknown);
+    nearest.push_back(misfits.Nearest + unknown);
+    pores.push_back(misfits.Pores + unknown);
   }
   PackData::AddColumn(table, "Iteration", iteration);
   PackData::AddColumn(table, "Objective", objective);

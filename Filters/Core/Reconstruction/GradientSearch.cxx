@@ -102,6 +102,7 @@ public:
     }
     if (descends && !this->Stopped && this->HasNextStage())
     {
+      this->Keep(this->State.Descent.Place);
       this->BeginNeighbours();
       endedBy = this->Descend();
     }
@@ -179,7 +180,7 @@ private:
   bool MeetsObjective() const
   {
     return this->Best.Overlap.IsNone() && this->Best.Objective <= this->Settings.TargetObjective &&
-      this->BestMisfits.Largest() <= 1.0;
+      (!this->WithNeighbours() || this->BestMisfits.Largest() <= 1.0);
   }
 
   // Whether it ends the search
@@ -207,7 +208,6 @@ private:
   // Adds near neighbours and pores to what is minimised
   void BeginNeighbours()
   {
-    this->Keep(this->State.Descent.Place);
     DescentState& descent = this->State.Descent;
     descent.Gradient.clear();
     descent.Steps.clear();

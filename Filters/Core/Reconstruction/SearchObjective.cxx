@@ -47,7 +47,10 @@ SearchObjective::Terms SearchObjective::Evaluate(
   const CellObjective::Terms pairs = this->Pairs.Evaluate(centres, gradient, signal);
   Terms terms;
   terms.TwoPoint = pairs.TwoPoint;
-  terms.Misfits = this->AddNeighbours(centres, gradient);
+  if (this->Reference > 0.0)
+  {
+    terms.Misfits = this->AddNeighbours(centres, gradient);
+  }
   const double penalty = this->Contacts ? this->Contacts->Add(centres, gradient) : pairs.Penalty;
   terms.Total = this->ValueOf(pairs.TwoPoint, terms.Misfits) + penalty;
   return terms;
@@ -69,14 +72,14 @@ double SearchObjective::ValueOf(double twoPoint, const NeighbourMisfits& misfits
 NeighbourMisfits SearchObjective::AddNeighbours(const double* centres, double* gradient)
 {
   NeighbourMisfits misfits;
-  if (this->Reference > 0.0 && this->Near)
+  if (this->Near)
   {
     const ContactTerm::Misfits near =
       this->Near->Evaluate(centres, this->Reference * this->Neighbours.ContactWeight, gradient);
     misfits.Gaps = near.Gaps;
     misfits.Nearest = near.Nearest;
   }
-  if (this->Reference > 0.0 && this->Pores)
+  if (this->Pores)
   {
     misfits.Pores =
       this->Pores->Evaluate(centres, this->Reference * this->Neighbours.PoreWeight, gradient);

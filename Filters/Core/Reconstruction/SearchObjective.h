@@ -54,16 +54,14 @@ public:
 
   struct Terms
   {
-    double TwoPoint = 0.0; // F2
-    NeighbourMisfits Misfits;
-    double Total = 0.0; // L
+    double TwoPoint = 0.0;    // F2
+    NeighbourMisfits Misfits; // from BeginNeighbours on
+    double Total = 0.0;       // L
   };
   /** Evaluates L, and its gradient unless that is null. See CellObjective. Collective. */
   Terms Evaluate(const double* centres, double* gradient, std::int64_t* signal);
 
-  /**
-   * Returns the misfits of a cell, which are 0 before BeginNeighbours. Collective.
-   */
+  /** Returns the misfits of a cell, those of terms that weigh something. Collective. */
   NeighbourMisfits FindMisfits(const double* centres);
   /** Returns L of a cell without overlap, F2 being known. */
   double ValueOf(double twoPoint, const NeighbourMisfits& misfits) const;

@@ -65,7 +65,7 @@ struct SearchState
   /** Of the contacts of a dense cell (ContactMultipliers); 0 for others and before there are any.
    */
   double SumOfMultipliers = 0.0;
-  NeighbourMisfits Misfits; // 0 before they are looked at
+  NeighbourMisfits Misfits; // 0 where they were not looked at
 
   template <class Self>
   static auto Fields(Self& self)
