@@ -259,4 +259,34 @@ TEST(NeighbourTerms, TheTargetObjectiveWaitsForTheMisfits)
   EXPECT_LE(cell.Convergence.back().Misfits.Largest(), 1.0);
   EXPECT_LT(cell.Iterations, 250);
 }
+
+// Between its soft contacts and the multipliers
+TEST(NeighbourTerms, ADenseCellHasThemToo)
+{
+  ruc::DensePackSettings made;
+  made.Radii.assign(600, 0.5);
+  made.Fraction = 0.63;
+  made.Protocol = ruc::PackingProtocol::Events;
+  ruc::DensePack pack =
+    ruc::MakeDensePack(made, [](const ruc::GrowthStep&, double) { return true; });
+  pack.Pack.Mode.assign(600, 1);
+  const ruc::PackShare share = ruc::SharePack(pack.Pack, pack.Box);
+  const ruc::CellContents contents = ruc::FindCellContents(share, 60);
+  ASSERT_TRUE(ruc::IsDense(contents.Radii(), contents.Fraction(), contents.Edge));
+  const ruc::TwoPointProbability target = ruc::SumPairs(pack.Pack, pack.Box, { 0.06, 40 });
+  ruc::Communicator alone;
+  ruc::GradientSearchSettings settings;
+  settings.MaximumIterations = 2000;
+  settings.Neighbours.Pack = ruc::MeasureNeighbourSums(share, alone);
+  const ruc::UnitCell plain = ruc::SearchByGradient(contents, target, settings, alone, CarryOn);
+  settings.Neighbours.ContactWeight = settings.Neighbours.PoreWeight = 1.0;
+  const ruc::UnitCell cell = ruc::SearchByGradient(contents, target, settings, alone, CarryOn);
+  EXPECT_TRUE(cell.Overlap.IsNone());
+  ruc::ContactState none;
+  ruc::SearchObjective objective(contents, target, settings.Neighbours, false, none, alone);
+  const NeighbourMisfits with = objective.FindMisfits(ruc::CentresOf(cell.Pack).data());
+  const NeighbourMisfits without = objective.FindMisfits(ruc::CentresOf(plain.Pack).data());
+  EXPECT_LT(with.Nearest, 0.3 * without.Nearest);
+  EXPECT_LT(with.Gaps, without.Gaps);
+}
 }
