@@ -272,17 +272,20 @@ void ThirdOrderEwald::AddWave(const Vector3& k, double k2, double alpha)
   // Twice, for the wave -k is left out
   const double second = -8.0 * Pi / (3.0 * volume) * std::exp(-x);
   const double fourth = -16.0 * Pi / (105.0 * volume) * std::exp(-x) * (1.0 + x);
+  const auto part = [&](int degree, int n)
+  {
+    const double* const parts = n % 2 == 0 && n > 0 ? imaginary : real;
+    return parts[HarmonicPlace(degree, (n + 1) / 2)];
+  };
   Wave& wave = this->Waves.emplace_back();
   wave.K = k;
   for (int n = 0; n < 5; ++n)
   {
-    wave.Second[n] =
-      second * (n % 2 == 0 && n > 0 ? imaginary : real)[HarmonicPlace(2, (n + 1) / 2)];
+    wave.Second[n] = second * part(2, n);
   }
   for (int n = 0; n < 9; ++n)
   {
-    wave.Fourth[n] =
-      fourth * (n % 2 == 0 && n > 0 ? imaginary : real)[HarmonicPlace(4, (n + 1) / 2)];
+    wave.Fourth[n] = fourth * part(4, n);
   }
 }
 
