@@ -284,7 +284,7 @@ void vtkRUCImageStatistics::AddSummary(
 }
 
 void vtkRUCImageStatistics::FillTables(const ruc::ImageTwoPoint& measured,
-  const std::vector<std::int64_t>& labels, vtkInformationVector* outputs) const
+  const std::vector<std::int64_t>& labels, vtkInformationVector* outputs)
 {
   const ruc::TwoPointProbability& probability = measured.Probability;
   const ruc::SampledTwoPoint exact = { probability, {}, {}, {}, 0, 0.0, false };
@@ -301,6 +301,13 @@ void vtkRUCImageStatistics::FillTables(const ruc::ImageTwoPoint& measured,
   {
     names.push_back(probability.PhaseName(r));
     chords.push_back(4.0 * probability.Fractions[r] / measured.Surface[r]);
+  }
+  const auto unknown = [](double value) { return std::isnan(value); };
+  if (this->HasMask() &&
+    std::any_of(measured.SurfaceAtOneVoxel.begin(), measured.SurfaceAtOneVoxel.end(), unknown))
+  {
+    vtkWarningMacro(<< "surfaces, mean chords and S_rs at some lags are NaN, as the mask holds no "
+                       "two voxels so far apart.");
   }
   vtkTable* table = vtkTable::GetData(outputs, PHASES);
   PackData::AddColumn(table, "Phase", names);

@@ -170,7 +170,7 @@ private:
     const ruc::VoxelGrid& grid, int phases, const std::array<bool, 3>& periodic) const;
   // Fill the tables, on rank 0
   void FillTables(const ruc::ImageTwoPoint& measured, const std::vector<std::int64_t>& labels,
-    vtkInformationVector* outputs) const;
+    vtkInformationVector* outputs);
   void FillMap(const ruc::ImageTwoPoint& measured, const ruc::ImageSettings& settings,
     const RankCommunicator& ranks, vtkInformationVector* outputs) const;
   // Adds field data that tell how the image was measured

@@ -204,6 +204,17 @@ TEST(GsdGrammar, ChunksOfFrameZeroAndDefaults)
   }
 }
 
+TEST(GsdGrammar, ATypeThatIsNoTypeIsRefused)
+{
+  for (float type : { -9.6e30f, 1e30f, std::nanf("") })
+  {
+    Gsd gsd = TwoParticles();
+    gsd.Add<float>(0, "particles/typeid", 9, 1, { 0.0f, type });
+    const std::string bytes = gsd.Write();
+    EXPECT_SAYS(OpenText(bytes).Frame(), "A type from 0 to 2147483647 is required, got");
+  }
+}
+
 TEST(GsdGrammar, DiametersOfShapes)
 {
   Gsd gsd = TwoParticles();

@@ -364,7 +364,11 @@ PackFrame Read(ByteStream& bytes, const FramePlace& place, const ReadSettings&)
   }
   for (double type : file.Numbers("particles/typeid", place.Offset, true, count, 1))
   {
-    frame.Type.push_back(static_cast<int>(std::min(type, 2147483647.0)));
+    if (!(type >= 0.0 && type <= 2147483647.0))
+    {
+      Fail(Text("A type from 0 to 2147483647 is required, got ", type, "."));
+    }
+    frame.Type.push_back(static_cast<int>(type));
   }
   if (frame.Type.size() != frame.Size())
   {
