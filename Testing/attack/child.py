@@ -253,6 +253,9 @@ def attack(case, description, parent):
     proxy.UpdatePipeline()
     most = memory('VmHWM')
     say('UPDATED', None)  # what comes now is the attack's own work, and ParaView's look at the ranges of a thousand million voxels
+    if most - before > 500:
+        say('HUNG', 'long')  # too large to be looked at
+        return
     for port in range(proxy.GetNumberOfOutputPorts()):
         proxy.GetDataInformation(port)
     found = outcome(proxy)
