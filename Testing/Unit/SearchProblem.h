@@ -53,5 +53,8 @@ inline void ExpectEqual(const ruc::UnitCell& a, const ruc::UnitCell& b)
     EXPECT_EQ(a.Convergence[n].Iteration, b.Convergence[n].Iteration);
     EXPECT_EQ(a.Convergence[n].Objective, b.Convergence[n].Objective);
     EXPECT_EQ(a.Convergence[n].OverlapPercent, b.Convergence[n].OverlapPercent);
+    EXPECT_EQ(a.Convergence[n].SumOfMultipliers, b.Convergence[n].SumOfMultipliers);
+    EXPECT_TRUE(ruc::NeighbourMisfits::Fields(a.Convergence[n].Misfits) ==
+      ruc::NeighbourMisfits::Fields(b.Convergence[n].Misfits));
   }
 }

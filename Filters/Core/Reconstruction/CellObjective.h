@@ -15,6 +15,13 @@
 namespace ruc
 {
 /**
+ * The weight of the overlap penalty in a descent. The contacts are the stiffest
+ * part of the objective. The less they weigh, the quicker a descent goes, but the more overlap is
+ * left to be removed from a cell that is kept. Weights from 0.01 to 0.03 both go well.
+ */
+constexpr double DescentPenaltyWeight = 0.02;
+
+/**
  * The objective of the reconstruction and its gradient, a sum of terms: F2, equation (13), of a
  * periodic cell against a target (TwoPointTerm), plus a penalty for spheres that overlap
  * (OverlapTerm).

@@ -75,7 +75,7 @@ public:
     if (state.Reference > 0.0)
     {
       this->Objective->BeginNeighbours(state.Reference);
-      this->MoveLattice();
+      this->Objective->MoveLattice(state.Lattice);
     }
     this->Evaluate(state.Descent.Place.data(), nullptr);
     this->Keep(state.Best);
@@ -208,25 +208,31 @@ private:
   // Adds near neighbours and pores to what is minimised
   void BeginNeighbours()
   {
-    DescentState& descent = this->State.Descent;
-    descent.Gradient.clear();
-    descent.Steps.clear();
-    descent.GradientChanges.clear();
+    this->ForgetDescent();
     this->State.Reference =
       std::max(ShareOfReference * this->Best.Objective, std::numeric_limits<double>::min());
-    this->State.Before = descent.Iterations;
+    this->State.Before = this->State.Descent.Iterations;
     this->State.Kept = std::numeric_limits<double>::max();
     this->State.Tried = this->State.Kept;
     this->State.Converged = false;
     this->Objective->BeginNeighbours(this->State.Reference);
-    this->MoveLattice();
     this->MeasureBest();
   }
 
+  // What is minimised is then another function
   void MoveLattice()
   {
-    this->Objective->MoveLattice(
-      (this->State.Descent.Iterations - this->State.Before) / IterationsOfLattice());
+    this->Objective->MoveLattice(++this->State.Lattice);
+    this->State.Kept = std::numeric_limits<double>::max();
+    this->ForgetDescent();
+    this->RoundEnds = true;
+  }
+
+  void ForgetDescent()
+  {
+    this->State.Descent.Gradient.clear();
+    this->State.Descent.Steps.clear();
+    this->State.Descent.GradientChanges.clear();
   }
 
   void MeasureBest() { this->BestMisfits = this->Objective->FindMisfits(this->State.Best.data()); }
@@ -333,8 +339,7 @@ private:
     if (contacts.Round++ == 0)
     {
       contacts.Stiffness = FirstStiffness;
-      descent.Steps.clear();
-      descent.GradientChanges.clear();
+      this->ForgetDescent();
       if (this->HasNeighbours())
       {
         this->BeginNeighbours();
@@ -381,15 +386,11 @@ private:
       this->Terms.TwoPoint, this->Overlap(), this->Terms.Misfits);
     const EndReason endedBy =
       this->Dense ? this->AfterDenseIteration(descent) : this->AfterLooseIteration(iterations);
-    if (this->WithNeighbours() && endedBy == EndReason::None &&
-      iterations % IterationsOfLattice() == 0)
+    const int since = descent.Iterations - this->State.Before;
+    if (this->WithNeighbours() && endedBy == EndReason::None && since > 0 &&
+      since % this->IterationsOfLattice() == 0)
     {
       this->MoveLattice();
-      this->State.Kept = std::numeric_limits<double>::max();
-      this->State.Descent.Gradient.clear();
-      this->State.Descent.Steps.clear();
-      this->State.Descent.GradientChanges.clear();
-      this->RoundEnds = true;
     }
     return endedBy;
   }

@@ -51,13 +51,6 @@ constexpr double LeastProgress = 1e-3;
 constexpr int IterationsBetweenKept = 100;
 
 /**
- * The weight of the overlap penalty in a descent (CellObjective). The contacts are the stiffest
- * part of the objective. The less they weigh, the quicker a descent goes, but the more overlap is
- * left to be removed from a cell that is kept. Weights from 0.01 to 0.03 both go well.
- */
-constexpr double DescentPenaltyWeight = 0.02;
-
-/**
  * The length of the first step of a descent, over all centres together: a fortieth of the mean
  * spacing of the centres.
  */

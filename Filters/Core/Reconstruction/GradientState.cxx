@@ -14,7 +14,8 @@ namespace
 bool FitsNeighbours(const GradientState& state)
 {
   return state.Reference >= 0.0 && state.Reference < 1e30 && state.Before >= 0 &&
-    state.Before <= state.Descent.Iterations;
+    state.Before <= state.Descent.Iterations && state.Lattice >= 0 &&
+    state.Lattice <= state.Descent.Iterations;
 }
 
 }

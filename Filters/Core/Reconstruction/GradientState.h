@@ -28,6 +28,7 @@ struct GradientState
   // Of near neighbours and pores, once they are added
   double Reference = 0.0; // F0 of SearchObjective, > 0
   int Before = 0;         // iterations before
+  int Lattice = 0;        // the place of the pores' lattice
   // Of a dense cell
   ContactState Contacts;
   double Edge = 0.0;
@@ -36,7 +37,8 @@ struct GradientState
   static auto Fields(Self& self)
   {
     return std::tie(self.Descent, self.Best, self.StartObjective, self.Kept, self.Tried,
-      self.Converged, self.Convergence, self.Reference, self.Before, self.Contacts, self.Edge);
+      self.Converged, self.Convergence, self.Reference, self.Before, self.Lattice, self.Contacts,
+      self.Edge);
   }
 };
 

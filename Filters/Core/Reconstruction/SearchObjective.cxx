@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Reconstruction/SearchObjective.h"
 
-#include "ruc/Reconstruction/GradientSearch.h"
-
 namespace ruc
 {
 SearchObjective::SearchObjective(const CellContents& contents, const TwoPointProbability& target,

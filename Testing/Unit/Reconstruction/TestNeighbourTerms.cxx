@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ThreadRanks.h"
+#include "HardPack.h"
 #include "SearchProblem.h"
 #include "ruc/Packing/DensePack.h"
 #include "ruc/Reconstruction/GradientSearch.h"
@@ -16,29 +17,19 @@ using ruc::NeighbourTarget;
 struct Problem
 {
   Problem()
+    : Made(80, 200, 0.45)
+    , Pack(Made.Pack)
+    , Box(Made.Box)
   {
-    ruc::DensePackSettings settings;
-    settings.Radii.assign(80, 1.0);
-    settings.Radii.insert(settings.Radii.end(), 200, 0.6);
-    settings.Fraction = 0.45;
-    settings.Protocol = ruc::PackingProtocol::Events;
-    settings.Equilibration = 20.0;
-    const ruc::DensePack made =
-      ruc::MakeDensePack(settings, [](const ruc::GrowthStep&, double) { return true; });
-    this->Pack = made.Pack;
-    for (double radius : this->Pack.Radius)
-    {
-      this->Pack.Mode.push_back(radius == 1.0 ? 1 : 2);
-    }
-    this->Box = made.Box;
     this->Contents = ruc::FindCellContents(ruc::SharePack(this->Pack, this->Box), 70);
     this->Target = ruc::SumPairs(this->Pack, this->Box, { 0.15, 20 });
     ruc::Communicator alone;
     this->Neighbours.ContactWeight = this->Neighbours.PoreWeight = 1.0;
     this->Neighbours.Pack = ruc::MeasureNeighbourSums(ruc::SharePack(this->Pack, this->Box), alone);
   }
-  ruc::Window Box;
-  ruc::SpherePack Pack;
+  HardPack Made;
+  const ruc::SpherePack& Pack;
+  const ruc::Window& Box;
   ruc::CellContents Contents;
   ruc::TwoPointProbability Target{ 1, { 1.0, 1 } };
   NeighbourTarget Neighbours;
@@ -215,6 +206,24 @@ TEST(NeighbourTerms, ResumeToTheSameEndOnAnyRanks)
   }
 }
 
+// What a state holds of its function is that of its own lattice, whatever the settings are then
+TEST(NeighbourTerms, MoreIterationsGoOnWithTheLatticeOfTheState)
+{
+  ruc::Communicator alone;
+  std::vector<ruc::GradientState> states;
+  const ruc::UnitCell whole = Search(Settings(20), alone, nullptr,
+    [&](const ruc::GradientState& state) { states.push_back(state); });
+  const auto second = std::find_if(states.begin(), states.end(),
+    [](const ruc::GradientState& state)
+    { return state.Lattice == 1 && !state.Descent.Gradient.empty(); });
+  ASSERT_NE(second, states.end());
+  const ruc::UnitCell more = Search(Settings(40), alone, &*second);
+  const std::size_t next = second->Convergence.size();
+  ASSERT_LT(next, more.Convergence.size());
+  EXPECT_EQ(more.Convergence[next].Objective, whole.Convergence[next].Objective);
+  EXPECT_EQ(more.Convergence[next].Misfits.Pores, whole.Convergence[next].Misfits.Pores);
+}
+
 TEST(NeighbourTerms, AStateOfAnotherPackOrAForgedOneIsRefused)
 {
   const Problem& problem = TheProblem();
@@ -240,11 +249,14 @@ TEST(NeighbourTerms, AStateOfAnotherPackOrAForgedOneIsRefused)
     forged.Reference = reference;
     EXPECT_SAYS(Search(settings, alone, &forged), "near neighbours of the state are damaged");
   }
-  for (int before : { -1, 100000 })
+  for (auto number : { &ruc::GradientState::Before, &ruc::GradientState::Lattice })
   {
-    ruc::GradientState forged = last;
-    forged.Before = before;
-    EXPECT_SAYS(Search(settings, alone, &forged), "near neighbours of the state are damaged");
+    for (int value : { -1, 100000 })
+    {
+      ruc::GradientState forged = last;
+      forged.*number = value;
+      EXPECT_SAYS(Search(settings, alone, &forged), "near neighbours of the state are damaged");
+    }
   }
 }
 

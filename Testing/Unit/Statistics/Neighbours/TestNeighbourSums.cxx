@@ -3,8 +3,8 @@
 #include "ruc/Statistics/Neighbours/NeighbourSums.h"
 
 #include "Oracles.h"
+#include "HardPack.h"
 #include "ThreadRanks.h"
-#include "ruc/Packing/DensePack.h"
 
 namespace
 {
@@ -55,32 +55,11 @@ std::vector<Pair> PairsOf(const ruc::SpherePack& pack, const ruc::Window& box)
   return pairs;
 }
 
-// Hard spheres after some collisions, which have gaps of all widths
-struct HardPack
-{
-  explicit HardPack(bool periodic)
-  {
-    ruc::DensePackSettings settings;
-    settings.Radii.assign(180, 1.0);
-    settings.Radii.insert(settings.Radii.end(), 520, 0.6);
-    settings.Fraction = 0.5;
-    settings.Protocol = ruc::PackingProtocol::Events;
-    settings.Equilibration = 20.0;
-    const ruc::DensePack made =
-      ruc::MakeDensePack(settings, [](const ruc::GrowthStep&, double) { return true; });
-    this->Pack = made.Pack;
-    this->Box =
-      ruc::Window::MakeBox(made.Box.Origin, made.Box.Size, { periodic, periodic, periodic });
-  }
-  ruc::SpherePack Pack;
-  ruc::Window Box;
-};
-
 TEST(NeighbourSums, GapsAreThoseOfAllPairs)
 {
   for (bool periodic : { true, false })
   {
-    const HardPack made(periodic);
+    const HardPack made(180, 520, 0.5, periodic);
     const ruc::Window& box = made.Box;
     const ruc::SpherePack& pack = made.Pack;
     const NeighbourSums sums = Measure(pack, box);
@@ -105,7 +84,7 @@ TEST(NeighbourSums, NearestAreTheLeastGapsOfInnerSpheres)
 {
   for (bool periodic : { true, false })
   {
-    const HardPack made(periodic);
+    const HardPack made(180, 520, 0.5, periodic);
     const ruc::Window& box = made.Box;
     const ruc::SpherePack& pack = made.Pack;
     const NeighbourSums sums = Measure(pack, box);
@@ -141,7 +120,7 @@ TEST(NeighbourSums, NearestAreTheLeastGapsOfInnerSpheres)
 // Against random points, within four of their standard errors and that of the lattice
 TEST(NeighbourSums, PoresAreThoseOfRandomPoints)
 {
-  const HardPack made(true);
+  const HardPack made(180, 520, 0.5);
   const ruc::Window& box = made.Box;
   const ruc::SpherePack& pack = made.Pack;
   const NeighbourSums sums = Measure(pack, box);
@@ -187,7 +166,7 @@ TEST(NeighbourSums, AreTheSameOnAnyRanks)
 {
   for (bool periodic : { true, false })
   {
-    const HardPack made(periodic);
+    const HardPack made(180, 520, 0.5, periodic);
     const ruc::Window& box = made.Box;
     const ruc::SpherePack& pack = made.Pack;
     const NeighbourSums whole = Measure(pack, box);
@@ -224,5 +203,23 @@ TEST(NeighbourSums, OfTooFewSpheresAreEmpty)
   // One without room for a pair has none
   const ruc::Window narrow = ruc::Window::MakeBox({ 0, 0, 0 }, { 300, 300, 1.1 }, {});
   EXPECT_TRUE(Measure(oracle::RelaxedPack({ 600 }, { 0.5 }, narrow, 1), narrow).Empty());
+}
+
+// As many points as in any other window, not as many as a spacing for its volume would give
+TEST(NeighbourSums, OfAFlatWindowAreMeasuredAtFewPoints)
+{
+  const ruc::Window flat = ruc::Window::MakeBox({ 0, 0, 0 }, { 1e12, 1e12, 40.0 }, {});
+  ruc::SpherePack pack;
+  oracle::Uniform random(5);
+  for (int n = 0; n < 180; ++n)
+  {
+    // Twenty in a row in each of the nine columns
+    const int column = n % 9;
+    pack.X.push_back(1e12 * (column % 3 + 0.5) / 3.0 + 3.0 * (n / 9));
+    pack.Y.push_back(1e12 * (column / 3 + 0.5) / 3.0);
+    pack.Z.push_back(random(19.9, 20.1));
+    pack.Radius.push_back(random(1.35, 1.49));
+  }
+  EXPECT_FALSE(Measure(pack, flat).Gaps.Empty());
 }
 }
