@@ -93,6 +93,11 @@ ruc::Estimate CellEstimate::OfPack(const ruc::PackFigures& pack, const CellPrope
       ruc::Text(estimate.Automatic.empty() ? "" : ", ", "Maximum Lag ", TwoDigits(lags.Maximum()));
   }
   estimate += ruc::EstimatePairSum(pack, lags);
+  const ruc::NeighbourTarget& neighbours = search.Gradient.Neighbours;
+  if (!search.IsByPopulation() && neighbours.ContactWeight + neighbours.PoreWeight > 0.0)
+  {
+    estimate += ruc::EstimateNeighbourSums(pack);
+  }
   estimate += OfSearch(cell, lags, search, longestSearch);
   return estimate;
 }

@@ -137,8 +137,8 @@ public:
   RUCSetting(SaturationTolerance, double, Cell.SaturationTolerance);
   /**
    * The most iterations of L-BFGS on F2, >= 0. The search ends earlier if F2 falls by less than 0.1
-   * % in 100 iterations. With ContactWeight or PoreWeight half as many again follow, three times
-   * half as many. Default: 1000.
+   * % in 100 iterations. With ContactWeight or PoreWeight up to one and a half times as many
+   * follow, on F2 and those terms together. Default: 1000.
    */
   RUCSetting(MaximumIterations, int, Search.Gradient.MaximumIterations);
   /** The search ends when a cell without overlap has F2 at or below this; >= 0. Default: 0. */

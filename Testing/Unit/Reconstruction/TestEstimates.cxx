@@ -209,6 +209,14 @@ TEST(Estimates, OfSearchesGrowWithTheirIterations)
   EXPECT_NEAR((gradient(100) - gradient(0)) / 100.0, ruc::EstimateEvaluation(cell, lags, true),
     1e-9 * gradient(100));
 
+  // Three lattices of half as many iterations, which no weight leaves out
+  const double alone = gradient(100) - gradient(0);
+  descent.Neighbours.ContactWeight = 1.0;
+  EXPECT_NEAR((gradient(100) - gradient(0)) / alone, 2.5, 1e-9);
+  descent.Neighbours.PoreWeight = 1.0;
+  EXPECT_NEAR(gradient(100) - gradient(0) - 2.5 * alone,
+    150.0 * ruc::EstimatePoreTerm(cell.Spheres).Seconds, 1e-9 * gradient(100));
+
   ruc::PopulationSettings settings;
   const auto population = [&]() { return ruc::EstimatePopulationSearch(cell, lags, settings); };
   settings.MaximumGenerations = 0;

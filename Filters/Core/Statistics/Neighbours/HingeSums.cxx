@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Statistics/Neighbours/HingeSums.h"
 
+#include "ruc/Statistics/Results/Jackknife.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -64,8 +66,8 @@ std::vector<double> SumsOfBlocks(const BlockHistogram& histogram, HingeSide side
   return sums;
 }
 
-// The delete-one jackknife of sum / norm over the blocks that hold anything
-double JackknifeError(const std::vector<double>& sums, const std::vector<double>& norms)
+// The standard error of sum / norm, over the blocks that hold anything
+double ErrorOf(const std::vector<double>& sums, const std::vector<double>& norms)
 {
   const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
   const double norm = std::accumulate(norms.begin(), norms.end(), 0.0);
@@ -77,14 +79,7 @@ double JackknifeError(const std::vector<double>& sums, const std::vector<double>
       without.push_back((sum - sums[n]) / (norm - norms[n]));
     }
   }
-  const double blocks = static_cast<double>(without.size());
-  const double mean = std::accumulate(without.begin(), without.end(), 0.0) / blocks;
-  double squares = 0.0;
-  for (double estimate : without)
-  {
-    squares += (estimate - mean) * (estimate - mean);
-  }
-  return without.size() > 1 ? std::sqrt((blocks - 1.0) / blocks * squares) : 0.0;
+  return JackknifeError(without);
 }
 }
 
@@ -120,7 +115,7 @@ HingeSums FindHingeSums(const BlockHistogram& histogram, HingeSide side, double 
   {
     const std::vector<double> sums = SumsOfBlocks(histogram, side, threshold);
     const double value = std::accumulate(sums.begin(), sums.end(), 0.0) / norm;
-    const double error = JackknifeError(sums, histogram.Norm);
+    const double error = ErrorOf(sums, histogram.Norm);
     if (threshold >= least && error > 1e-9 * value)
     {
       found.Threshold.push_back(threshold);

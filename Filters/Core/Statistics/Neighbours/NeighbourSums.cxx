@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Statistics/Neighbours/NeighbourSums.h"
 
+#include "ruc/Particles/SphereOverlap.h"
 #include "ruc/Statistics/Neighbours/SurfaceDistances.h"
 #include "ruc/Statistics/PairSums/WeightedPairs.h"
 
@@ -14,10 +15,11 @@ namespace ruc
 namespace
 {
 constexpr double LeastGap = 1e-4;
-constexpr double LeastNearest = 2.5e-6;  // mean diameters
-constexpr double LeastThreshold = 0.002; // below it are the overlaps of measured packs
-constexpr double PoreSpacing = 0.125;    // of the lattice, in mean diameters
-constexpr double MostPorePoints = 4e6;   // the lattice is coarser in a large pack
+constexpr double LeastNearest = 2.5e-6;        // mean diameters
+constexpr double LeastThreshold = 0.002;       // below it are the overlaps of measured packs
+constexpr double PoreSpacing = 0.125;          // of the lattice, in mean diameters
+constexpr double MostPorePoints = 4e6;         // the lattice is coarser in a large pack
+constexpr double LargestPoreInDiameters = 0.4; // mean diameters
 constexpr std::size_t PorePointsAtATime = 1 << 20;
 
 // The columns over which errors are found
@@ -194,12 +196,28 @@ HingeSums MeasureNearest(
   return FindHingeSums(histogram, HingeSide::Below, LeastThreshold * share.MeanDiameter());
 }
 
+// The spacing of about MostPorePoints points in a box, however flat or long it is, or `finest`
+double FindPoreSpacing(const Window& box, double finest)
+{
+  double spacing = finest, excess = 1.0;
+  do
+  {
+    double points = 1.0;
+    for (double edge : box.Size)
+    {
+      points *= std::max(1.0, edge / spacing);
+    }
+    excess = points / MostPorePoints;
+    spacing *= std::max(1.0, std::cbrt(excess));
+  } while (excess > 1.01);
+  return spacing;
+}
+
 // The lattice of the points where pores are measured
 PointLattice MakePoreLattice(const PackShare& share, const Window& inside)
 {
   const Window box = inside.GetBounds();
-  const double spacing =
-    std::max(PoreSpacing * share.MeanDiameter(), std::cbrt(box.Volume() / MostPorePoints));
+  const double spacing = FindPoreSpacing(box, PoreSpacing * share.MeanDiameter());
   PointLattice lattice;
   lattice.Periodic = share.Observed.Periodic;
   for (int q = 0; q < 3; ++q)
@@ -260,7 +278,7 @@ HingeSums MeasurePores(
 NeighbourSums MeasureNeighbourSums(const PackShare& share, Communicator& ranks)
 {
   NeighbourSums sums;
-  sums.LargestPore = 0.4 * share.MeanDiameter();
+  sums.LargestPore = LargestPoreInDiameters * share.MeanDiameter();
   if (share.NumberOfSpheres < LeastCentresOfSums ||
     !(share.Observed.Reach() > NeighbourReach(share)))
   {
@@ -273,5 +291,21 @@ NeighbourSums MeasureNeighbourSums(const PackShare& share, Communicator& ranks)
   sums.Nearest = MeasureNearest(share, pairs, columns, ranks);
   sums.Pores = MeasurePores(share, sums.LargestPore, columns, ranks);
   return sums;
+}
+
+Estimate EstimateNeighbourSums(const PackFigures& pack)
+{
+  constexpr double secondsPerPair = 2e-7, secondsPerDistance = 3e-9, secondsPerPoint = 4e-8;
+  const Window box = pack.Observed.GetBounds();
+  const double spacing = FindPoreSpacing(box, PoreSpacing * pack.MeanDiameter);
+  const double points = box.Volume() / (spacing * spacing * spacing);
+  const double reach = 0.5 * pack.MeanDiameter + LargestPoreInDiameters * pack.MeanDiameter;
+  const double distances = points * pack.Density() * SphereVolume(reach);
+  const double pairs = pack.PairsWithin((1.0 + LargestNeighbourGap) * pack.MeanDiameter);
+  return { pairs * secondsPerPair + distances * secondsPerDistance + points * secondsPerPoint,
+    // Of a stretch of points the distances twice and the spheres, and the histograms
+    (PorePointsAtATime * 16.0 + 4.0 * Columns::Count * BlockHistogram::Bins * sizeof(double)) /
+      BytesOfMegabyte,
+    0.0 };
 }
 }

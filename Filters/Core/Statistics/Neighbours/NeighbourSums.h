@@ -3,6 +3,8 @@
 #pragma once
 
 #include "ruc/Base/Communicator.h"
+#include "ruc/Base/Estimate.h"
+#include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/PackShare.h"
 #include "ruc/Statistics/Neighbours/HingeSums.h"
 
@@ -51,4 +53,7 @@ constexpr int LeastCentresOfSums = 100;
  * ranks and threads. Collective.
  */
 NeighbourSums MeasureNeighbourSums(const PackShare& share, Communicator& ranks);
+
+/** What MeasureNeighbourSums takes. */
+Estimate EstimateNeighbourSums(const PackFigures& pack);
 }

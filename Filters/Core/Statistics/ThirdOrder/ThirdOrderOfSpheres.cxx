@@ -7,6 +7,7 @@
 #include "ruc/Base/Text.h"
 #include "ruc/Particles/PackOverlap.h"
 #include "ruc/Particles/SphereOverlap.h"
+#include "ruc/Statistics/Results/Jackknife.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 #include "ruc/Statistics/ThirdOrder/MultipoleSums.h"
 #include "ruc/Statistics/ThirdOrder/ThirdOrderParameters.h"
@@ -63,20 +64,14 @@ std::vector<ThirdOrderFigure> Jackknife(const std::vector<Values>& blocks, Evalu
     without.push_back(evaluate(rest));
   }
   std::vector<ThirdOrderFigure> figures;
-  const double count = static_cast<double>(blocks.size());
   for (const double value : evaluate(whole))
   {
-    double mean = 0.0, squares = 0.0;
+    Values ofFigure;
     for (const Values& values : without)
     {
-      mean += values[figures.size()] / count;
+      ofFigure.push_back(values[figures.size()]);
     }
-    for (const Values& values : without)
-    {
-      squares += std::pow(values[figures.size()] - mean, 2);
-    }
-    figures.push_back(
-      { value, count > 1.0 ? std::sqrt(squares * (count - 1.0) / count) : NotANumber });
+    figures.push_back({ value, JackknifeError(ofFigure) });
   }
   return figures;
 }
