@@ -293,9 +293,19 @@ ruc::DensePack vtkRUCSpherePackSource::MakeSpheres(
         }
       }
     });
-  if (made.Stopped && last && file.IsWanted())
+  if (made.Stopped)
   {
-    write();
+    const bool isKept = last && file.IsWanted();
+    if (isKept)
+    {
+      write();
+    }
+    if (!made.Pack.Empty()) // which is an error
+    {
+      vtkWarningMacro(<< "stopped at a fraction of " << made.Fraction << ", below Fraction "
+                      << this->Fraction << ": the box is larger."
+                      << (isKept ? " The next run goes on from there." : ""));
+    }
   }
   return made;
 }
@@ -306,12 +316,6 @@ void vtkRUCSpherePackSource::Make(vtkInformationVector* outputs, ProgressReport&
   const ruc::DensePackSettings settings = this->MakeSettings(spheres.Radius);
   ruc::DensePack made = this->MakeSpheres(settings, report);
   RequireWhole(made, this->Fraction);
-  if (made.Stopped)
-  {
-    vtkWarningMacro(<< "stopped at a fraction of " << made.Fraction << ", below Fraction "
-                    << this->Fraction << ": the box is larger."
-                    << (this->CheckpointFile.empty() ? "" : " The next run goes on from there."));
-  }
   const ruc::PackOrder order = ruc::MeasureOrder(made.Pack, made.Box, ContactTolerance);
   this->RequireNoCrystal(order);
   made.Pack.Mode = spheres.Mode;

@@ -3,6 +3,7 @@
 #include "ruc/Reconstruction/ContactMultipliers.h"
 
 #include "ruc/Particles/Contacts.h"
+#include "ruc/Reconstruction/NearPairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,19 +71,7 @@ void ContactMultipliers::FindNear(const double* centres)
 template <class Visit>
 void ContactMultipliers::ForEach(const double* centres, Visit&& visit)
 {
-  bool stale = this->ListedAt.empty();
-  for (std::size_t i = 0; i < this->Spheres.Size() && !stale; ++i)
-  {
-    double gone2 = 0.0;
-    for (int q = 0; q < 3; ++q)
-    {
-      const double gone = centres[3 * i + q] - this->ListedAt[3 * i + q];
-      gone2 += gone * gone;
-    }
-    const double most = MostGone * this->Spheres.Radius[i];
-    stale = gone2 > most * most;
-  }
-  if (stale)
+  if (this->ListedAt.empty() || HaveGone(centres, this->ListedAt, this->Spheres.Radius, MostGone))
   {
     this->FindNear(centres);
   }

@@ -14,28 +14,31 @@ namespace
 constexpr double Room = 0.1;
 }
 
+bool HaveGone(const double* centres, const std::vector<double>& listedAt,
+  const std::vector<double>& radius, double share)
+{
+  for (std::size_t i = 0; i < radius.size(); ++i)
+  {
+    double gone2 = 0.0;
+    for (int q = 0; q < 3; ++q)
+    {
+      const double gone = centres[3 * i + q] - listedAt[3 * i + q];
+      gone2 += gone * gone;
+    }
+    const double most = share * radius[i];
+    if (gone2 > most * most)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 NearPairs::NearPairs(const SpherePack& spheres, const Window& box, double reach)
   : Spheres(spheres)
   , Box(box)
   , Reach(reach)
 {
-}
-
-bool NearPairs::IsStale(const double* centres) const
-{
-  bool stale = this->ListedAt.empty();
-  for (std::size_t i = 0; i < this->Spheres.Size() && !stale; ++i)
-  {
-    double gone2 = 0.0;
-    for (int q = 0; q < 3; ++q)
-    {
-      const double gone = centres[3 * i + q] - this->ListedAt[3 * i + q];
-      gone2 += gone * gone;
-    }
-    const double most = Room * this->Spheres.Radius[i];
-    stale = !(gone2 <= most * most);
-  }
-  return stale;
 }
 
 void NearPairs::MakeList(const double* centres)
@@ -57,7 +60,7 @@ void NearPairs::MakeList(const double* centres)
 
 const std::vector<NearPairs::Pair>& NearPairs::Find(const double* centres)
 {
-  if (this->IsStale(centres))
+  if (this->ListedAt.empty() || HaveGone(centres, this->ListedAt, this->Spheres.Radius, Room))
   {
     this->MakeList(centres);
   }

@@ -13,6 +13,13 @@
 namespace ruc
 {
 /**
+ * Returns whether a sphere has gone more than `share` of its radius from where a list of pairs was
+ * made. `centres` and `listedAt` hold x, y and z of each sphere.
+ */
+bool HaveGone(const double* centres, const std::vector<double>& listedAt,
+  const std::vector<double>& radius, double share);
+
+/**
  * The pairs of spheres of a periodic box that are closer than `reach` times the sum of their radii.
  * They are kept in a list with some room, which is made anew only when a sphere has gone through
  * it. Every pair counts once, by its nearest image. They come in one order, by their places.
@@ -37,7 +44,6 @@ public:
   const std::vector<Pair>& Find(const double* centres);
 
 private:
-  bool IsStale(const double* centres) const;
   void MakeList(const double* centres);
 
   SpherePack Spheres;

@@ -3,9 +3,22 @@
 #pragma once
 
 #include "Oracles.h"
+#include "ruc/Packing/DensePack.h"
 
 namespace oracle
 {
+// For a pack that nobody stops
+inline const auto Always = [](const ruc::GrowthStep&, double) { return true; };
+
+// Equal spheres of diameter 1
+inline ruc::DensePackSettings Equal(int spheres, double fraction)
+{
+  ruc::DensePackSettings settings;
+  settings.Radii.assign(spheres, 0.5);
+  settings.Fraction = fraction;
+  return settings;
+}
+
 // Calls visit(i, j, distance) for all pairs of nearest images in a periodic box
 template <class Visit>
 void ForEachPair(const ruc::SpherePack& pack, const ruc::Window& box, Visit&& visit)

@@ -9,15 +9,8 @@
 
 namespace
 {
-const auto Always = [](const ruc::GrowthStep&, double) { return true; };
-
-ruc::DensePackSettings Equal(int spheres, double fraction)
-{
-  ruc::DensePackSettings settings;
-  settings.Radii.assign(spheres, 0.5);
-  settings.Fraction = fraction;
-  return settings;
-}
+using oracle::Always;
+using oracle::Equal;
 
 // Nothing overlaps, not by the last bit; the radii and the fraction are those that were asked for
 void ExpectGood(const ruc::DensePack& pack, const ruc::DensePackSettings& settings)

@@ -8,15 +8,8 @@
 
 namespace
 {
-const auto Always = [](const ruc::GrowthStep&, double) { return true; };
-
-ruc::DensePackSettings Equal(int spheres, double fraction)
-{
-  ruc::DensePackSettings settings;
-  settings.Radii.assign(spheres, 0.5);
-  settings.Fraction = fraction;
-  return settings;
-}
+using oracle::Always;
+using oracle::Equal;
 
 void ExpectSame(const ruc::DensePack& a, const ruc::DensePack& b)
 {

@@ -86,8 +86,11 @@ CutParticles CutImage(VoxelSlab<float> image, const ParticleSearch& search, Comm
   if (cut.Smoothing > 0)
   {
     image = Smoothed(std::move(image), cut.Smoothing, ranks);
-    // Noise makes Otsu's threshold too low or too high
-    cut.Threshold = search.Threshold.value_or(FindGreyLevels(image, ranks).Threshold);
+    if (!search.Threshold)
+    {
+      // Noise makes Otsu's threshold too low or too high
+      cut.Threshold = FindGreyLevels(image, ranks).Threshold;
+    }
   }
   VoxelSlab<std::int32_t> distances =
     SquaredDistances(image, static_cast<float>(cut.Threshold), ranks);
