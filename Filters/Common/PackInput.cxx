@@ -136,6 +136,16 @@ vtkSmartPointer<vtkPoints> MergePoints(const std::vector<Block>& blocks)
   return points;
 }
 
+std::vector<std::string> NamesOf(vtkTable* table)
+{
+  std::vector<std::string> names;
+  for (vtkIdType n = 0; n < table->GetNumberOfColumns(); ++n)
+  {
+    names.emplace_back(table->GetColumnName(n) ? table->GetColumnName(n) : "");
+  }
+  return names;
+}
+
 // The columns become arrays, and those named as x, y and z the places as well
 vtkSmartPointer<vtkPointSet> PointsOfTable(vtkTable* table)
 {
@@ -145,11 +155,7 @@ vtkSmartPointer<vtkPointSet> PointsOfTable(vtkTable* table)
   {
     return result;
   }
-  std::vector<std::string> names;
-  for (vtkIdType n = 0; n < table->GetNumberOfColumns(); ++n)
-  {
-    names.emplace_back(table->GetColumnName(n) ? table->GetColumnName(n) : "");
-  }
+  const std::vector<std::string> names = NamesOf(table);
   if (!ruc::NameCentres(names))
   {
     throw std::invalid_argument(Text("Columns x, y and z are required, got ",
@@ -284,4 +290,16 @@ vtkSmartPointer<vtkPointSet> PackInput::Find(vtkDataObject* input, RankCommunica
   vtkSmartPointer<vtkPointSet> points;
   ranks.Agree([&]() { points = FindHere(input); });
   return points;
+}
+
+std::string PackInput::TellTaken(vtkDataObject* input)
+{
+  auto* table = vtkTable::SafeDownCast(input);
+  std::string told;
+  for (const auto axis : { ruc::RowColumns::X, ruc::RowColumns::Y, ruc::RowColumns::Z })
+  {
+    const std::string of = table ? ruc::TellTaken(NamesOf(table), axis, "Table To Points") : "";
+    told += (told.empty() || of.empty() ? "" : " ") + of;
+  }
+  return told;
 }

@@ -7,6 +7,8 @@
 #include "vtkPointSet.h"
 #include "vtkSmartPointer.h"
 
+#include <string>
+
 class RankCommunicator;
 class vtkInformation;
 
@@ -37,4 +39,10 @@ vtkSmartPointer<vtkPointSet> FindHere(vtkDataObject* input);
 
 /** The same, but throws on all ranks if it throws on one. Collective. */
 vtkSmartPointer<vtkPointSet> Find(vtkDataObject* input, RankCommunicator& ranks);
+
+/**
+ * Tells of a table which of several columns that may be a coordinate is taken; an empty text if no
+ * two may be the same, or if the input is no table.
+ */
+std::string TellTaken(vtkDataObject* input);
 }

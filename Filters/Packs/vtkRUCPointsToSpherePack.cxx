@@ -42,8 +42,8 @@ using ruc::RowColumns;
 constexpr const char* KnownNames =
   "an array named radius, radii, rad, r, diameter, diameters, diam or d";
 
-// The name of the array that stands for a role by its name, or an empty text
-std::string FindName(vtkPointSet* input, RowColumns::Role role)
+// The names of the arrays, which are empty where an array cannot have the role
+std::vector<std::string> NamesFor(vtkPointSet* input, RowColumns::Role role)
 {
   std::vector<std::string> names;
   vtkPointData* arrays = input->GetPointData();
@@ -54,8 +54,20 @@ std::string FindName(vtkPointSet* input, RowColumns::Role role)
       (array->IsA("vtkDataArray") || role == RowColumns::Type);
     names.push_back(fits ? array->GetName() : "");
   }
+  return names;
+}
+
+// The name of the array that stands for a role by its name, or an empty text
+std::string FindName(vtkPointSet* input, RowColumns::Role role)
+{
+  const std::vector<std::string> names = NamesFor(input, role);
   const int place = ruc::FindColumn(names, role);
   return place < 0 ? "" : names[static_cast<std::size_t>(place)];
+}
+
+bool IsByName(const std::string& given)
+{
+  return given.empty() || given == vtkRUCPointsToSpherePack::FindByName;
 }
 
 bool IsWhole(double value, double most)
@@ -165,11 +177,7 @@ vtkRUCPointsToSpherePack::Arrays vtkRUCPointsToSpherePack::FindArrays(
   vtkPointSet* input, RankCommunicator& ranks) const
 {
   const auto find = [&](const std::string& given, RowColumns::Role role)
-  {
-    return given.empty() || given == FindByName
-      ? ranks.FirstText(input ? FindName(input, role) : "")
-      : given;
-  };
+  { return IsByName(given) ? ranks.FirstText(input ? FindName(input, role) : "") : given; };
   Arrays arrays;
   arrays.Id = find(this->IdArray, RowColumns::Id);
   arrays.Type = find(this->TypeArray, RowColumns::Type);
@@ -181,6 +189,29 @@ vtkRUCPointsToSpherePack::Arrays vtkRUCPointsToSpherePack::FindArrays(
   arrays.Diameters =
     this->RadiusIsDiameter || ruc::FindColumn({ arrays.Radius }, RowColumns::Diameter) == 0;
   return arrays;
+}
+
+void vtkRUCPointsToSpherePack::WarnOfOthers(
+  vtkPointSet* input, const Arrays& arrays, RankCommunicator& ranks)
+{
+  std::string told = PackInput::TellTaken(this->GetInputDataObject(0, 0));
+  const auto tell = [&](const std::string& given, RowColumns::Role role, const char* chooser)
+  {
+    const std::string of =
+      input && IsByName(given) ? ruc::TellTaken(NamesFor(input, role), role, chooser) : "";
+    told += (told.empty() || of.empty() ? "" : " ") + of;
+  };
+  tell(this->RadiusArray,
+    ruc::FindColumn({ arrays.Radius }, RowColumns::Radius) == 0 ? RowColumns::Radius
+                                                                : RowColumns::Diameter,
+    "RadiusArray");
+  tell(this->IdArray, RowColumns::Id, "IdArray");
+  tell(this->TypeArray, RowColumns::Type, "TypeArray");
+  told = ranks.FirstText(told);
+  if (ranks.Rank() == 0 && !told.empty())
+  {
+    vtkWarningMacro(<< told);
+  }
 }
 
 vtkSmartPointer<vtkPolyData> vtkRUCPointsToSpherePack::ScalePoints(
@@ -374,6 +405,7 @@ void vtkRUCPointsToSpherePack::Execute(
   ruc::Require(
     this->Scale > 0.0 && std::isfinite(this->Scale), "Scale", "a finite number > 0", this->Scale);
   const Arrays arrays = this->FindArrays(input, ranks);
+  this->WarnOfOthers(input, arrays, ranks);
   const vtkSmartPointer<vtkPolyData> points = this->ScalePoints(input, ranks);
   const std::vector<std::string> typeNames = AddTypes(arrays.Type, points, ranks);
   this->AddRadii(arrays, typeNames, points, ranks);

@@ -14,7 +14,8 @@
  *   alphabet, and become the field data `TypeNames`.
  *
  * An array that is not named by a property is found by its name as ruc::FindColumn does, so that
- * those of a radius go before those of a diameter. The window is that of vtkRUCPackAlgorithm. If it
+ * those of a radius go before those of a diameter; where several may be meant, a warning tells
+ * which is taken. The window is that of vtkRUCPackAlgorithm. If it
  * is known, it becomes field data, and centres that are outside along a periodic axis are moved
  * into it. Points of radius 0 are left out with a warning. The field data `RadiusSource` tells
  * where the radii come from.
@@ -143,6 +144,7 @@ private:
     bool Diameters = false;
   };
   Arrays FindArrays(vtkPointSet* input, RankCommunicator& ranks) const;
+  void WarnOfOthers(vtkPointSet* input, const Arrays& arrays, RankCommunicator& ranks);
   // Returns the points and fields of the input in the unit after scaling, with all arrays
   vtkSmartPointer<vtkPolyData> ScalePoints(vtkPointSet* input, RankCommunicator& ranks) const;
   // These add Radius and Id to the points. `typeNames` are empty unless types are names. Collective

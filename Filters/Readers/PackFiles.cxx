@@ -6,8 +6,6 @@
 #include "ruc/Formats/GzipBytes.h"
 
 #include <algorithm>
-#include <limits>
-#include <stdexcept>
 
 std::vector<double> PackFile::Times() const
 {
@@ -22,47 +20,12 @@ std::size_t PackFile::FrameAt(double time) const
   return later == times.begin() ? 0 : static_cast<std::size_t>(later - times.begin()) - 1;
 }
 
-// The bytes of a file, unpacked. What is read from it for one frame is bounded, as a packed file
-// does not tell its length.
-class PackFiles::Stream : public ruc::ByteStream
-{
-public:
-  explicit Stream(const std::string& name)
-    : Bytes(ruc::Unpack(RegularFile::Open(name)))
-  {
-  }
-  // From now on, reading more bytes throws
-  void Allow(std::uint64_t most)
-  {
-    this->Allowed = most;
-    this->Done = 0;
-  }
-  std::size_t Read(char* buffer, std::size_t size) override
-  {
-    const std::size_t read = this->Bytes->Read(buffer, size);
-    this->Done += read;
-    if (this->Done > this->Allowed)
-    {
-      throw std::invalid_argument(
-        ruc::Text("a frame of at most ", static_cast<double>(this->Allowed) / 1e6,
-          " MB is required, a quarter of this machine's memory, got more."));
-    }
-    return read;
-  }
-  void Seek(std::uint64_t offset) override { this->Bytes->Seek(offset); }
-  std::uint64_t MostBytes() const override { return this->Bytes->MostBytes(); }
-
-private:
-  std::unique_ptr<ruc::ByteStream> Bytes;
-  std::uint64_t Allowed = std::numeric_limits<std::uint64_t>::max(), Done = 0;
-};
-
-PackFiles::Stream& PackFiles::Open(const std::string& name)
+ruc::BoundedBytes& PackFiles::Open(const std::string& name)
 {
   const RegularFile::Stamp stamp = RegularFile::FindStamp(name);
   if (!this->Current || this->CurrentName != name || this->CurrentStamp != stamp)
   {
-    this->Current = std::make_shared<Stream>(name);
+    this->Current = std::make_shared<ruc::BoundedBytes>(ruc::Unpack(RegularFile::Open(name)));
     this->CurrentName = name;
     this->CurrentStamp = stamp;
   }
@@ -72,13 +35,13 @@ PackFiles::Stream& PackFiles::Open(const std::string& name)
 const PackFile& PackFiles::Find(
   const std::string& name, const std::string& format, const ruc::ReadSettings& settings)
 {
-  Stream& stream = this->Open(name);
+  ruc::BoundedBytes& stream = this->Open(name);
   const std::string choice = ruc::Text(format, settings.SkipLines);
   Scanned& known = this->Known[name];
   if (!known.Format || known.Stamp != this->CurrentStamp || known.Choice != choice)
   {
     known = {};
-    stream.Allow(std::numeric_limits<std::uint64_t>::max());
+    stream.AllowAll();
     const ruc::PackFormat& found = ruc::ChooseFormat(stream, format, settings);
     known.Frames = found.Scan(stream);
     known.Format = &found;
@@ -101,7 +64,7 @@ ruc::PackFrame PackFiles::Read(
     const std::string beside = (other[0] == '.' ? stem : folder) + other;
     return RegularFile::IsReadable(beside) ? RegularFile::Read(beside) : std::string();
   };
-  Stream& stream = this->Open(name);
-  stream.Allow(RegularFile::MostBytes());
+  ruc::BoundedBytes& stream = this->Open(name);
+  stream.Allow(RegularFile::MostBytes(), "a quarter of this machine's memory");
   return ruc::ReadFrame(*file.Format, stream, file.Frames, frame, settings);
 }

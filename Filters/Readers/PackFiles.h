@@ -3,6 +3,7 @@
 #pragma once
 
 #include "RegularFile.h"
+#include "ruc/Formats/BoundedBytes.h"
 #include "ruc/Formats/PackFormats.h"
 
 #include <map>
@@ -43,16 +44,15 @@ public:
   ruc::PackFrame Read(const std::string& name, std::size_t frame, ruc::ReadSettings settings);
 
 private:
-  class Stream;
   struct Scanned : PackFile
   {
     RegularFile::Stamp Stamp{};
     std::string Choice; // format and skipped lines, as the user set them
   };
-  Stream& Open(const std::string& name);
+  ruc::BoundedBytes& Open(const std::string& name);
 
   std::map<std::string, Scanned> Known;
-  std::shared_ptr<Stream> Current;
+  std::shared_ptr<ruc::BoundedBytes> Current;
   std::string CurrentName;
   RegularFile::Stamp CurrentStamp{};
 };

@@ -127,18 +127,27 @@ bool StandsFor(const ColumnName& name, int role)
   return FindRole({ name }, role) == 0;
 }
 
+std::vector<std::size_t> OthersOf(const std::vector<ColumnName>& names, int role, int taken)
+{
+  std::vector<std::size_t> others;
+  for (std::size_t n = 0; taken >= 0 && n < names.size(); ++n)
+  {
+    if (static_cast<int>(n) != taken && StandsFor(names[n], role))
+    {
+      others.push_back(n);
+    }
+  }
+  return others;
+}
+
 // Other columns than the one that was taken for a role, which may be it as well
 void CheckOthers(
   TableColumns& table, const std::vector<ColumnName>& names, int role, const std::string& chooser)
 {
   const int place = table.Columns.Field[static_cast<std::size_t>(role)];
-  for (std::size_t other = 0; place >= 0 && other < names.size(); ++other)
+  for (const std::size_t other : OthersOf(names, role, place))
   {
     const ColumnName& taken = names[static_cast<std::size_t>(place)];
-    if (static_cast<int>(other) == place || !StandsFor(names[other], role))
-    {
-      continue;
-    }
     if (names[other].Name == taken.Name)
     {
       Fail(Text("one column '", taken.Name, "' is required, got columns ", place + 1, " and ",
@@ -330,6 +339,22 @@ TableColumns FindNamelessColumns(std::size_t count, const ReadSettings& settings
 int FindColumn(const std::vector<std::string>& names, RowColumns::Role role)
 {
   return FindRole(SplitUnits(names), role);
+}
+
+std::string TellTaken(
+  const std::vector<std::string>& names, RowColumns::Role role, const std::string& chooser)
+{
+  const std::vector<ColumnName> split = SplitUnits(names);
+  const int taken = FindRole(split, role);
+  std::vector<std::string> others;
+  for (const std::size_t other : OthersOf(split, role, taken))
+  {
+    others.push_back(names[other]);
+  }
+  return others.empty()
+    ? std::string()
+    : Text("'", names[static_cast<std::size_t>(taken)], "' is taken and ", ListOf(others),
+        others.size() == 1 ? " is" : " are", " not: ", chooser, " chooses.");
 }
 
 bool NameCentres(const std::vector<std::string>& names)

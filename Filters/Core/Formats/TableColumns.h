@@ -49,6 +49,13 @@ TableColumns FindNamelessColumns(std::size_t count, const ReadSettings& settings
  */
 int FindColumn(const std::vector<std::string>& names, RowColumns::Role role);
 
+/**
+ * Returns a sentence that tells which of several columns whose names stand for a role is taken, and
+ * what chooses another; an empty text where no two do.
+ */
+std::string TellTaken(
+  const std::vector<std::string>& names, RowColumns::Role role, const std::string& chooser);
+
 /** Returns whether names have columns x, y and z. */
 bool NameCentres(const std::vector<std::string>& names);
 

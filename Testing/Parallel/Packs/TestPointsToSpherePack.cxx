@@ -401,6 +401,7 @@ TEST(PointsToSpherePack, ATableIsTakenByItsColumns)
   EXPECT_EQ(
     run.Output()->GetFieldData()->GetAbstractArray("LengthUnit")->GetVariantValue(0).ToString(),
     "mm");
+  EXPECT_TRUE(run.Warning.Texts.empty());
 
   const auto refuses = [](vtkTable* other, const std::vector<std::string>& parts)
   {
@@ -427,6 +428,33 @@ TEST(PointsToSpherePack, ATableIsTakenByItsColumns)
   refuses(nowhere,
     { Name, "Columns x, y and z are required, got 'X [mm]', 'Diameter'", "Table To Points" });
   refuses(commas, { Name, "Column 'y' requires numbers", "got text such as '1,5'" });
+
+  // Columns that may be the same are told, of which the first or the surer name is taken
+  if (Rank() == 0)
+  {
+    add("center_y", [](vtkIdType) { return 1.0; });
+    add("d", [](vtkIdType) { return 1.0; });
+    add("type", [](vtkIdType) { return 1.0; });
+    add("species", [](vtkIdType) { return 2.0; });
+  }
+  Made twice(table, inBox);
+  ExpectWarning(twice,
+    { "'Y [mm]' is taken and 'center_y' is not: Table To Points chooses. ",
+      "'Diameter' is taken and 'd' is not: RadiusArray chooses. ",
+      "'type' is taken and 'species' is not: TypeArray chooses." });
+  EXPECT_EQ(twice.All("Radius"), run.All("Radius"));
+  // Of what was chosen nothing is told
+  Made chosen(table,
+    [&](Points* f)
+    {
+      inBox(f);
+      f->SetRadiusArray("Diameter");
+      f->SetTypeArray("species");
+    });
+  ExpectWarning(chosen, { "'Y [mm]' is taken and 'center_y' is not: Table To Points chooses." });
+  EXPECT_EQ(chosen.Warning.Texts.empty() ? 0u : chosen.Warning.Texts[0].find("Diameter"),
+    Rank() == 0 ? std::string::npos : 0u);
+  EXPECT_EQ(Sum(chosen.All("Type")), 1200.0);
 }
 
 TEST(PointsToSpherePackRefusals, NoPoints)

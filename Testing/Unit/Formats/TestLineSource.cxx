@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Formats/LineSource.h"
 
+#include "ruc/Formats/BoundedBytes.h"
+
 #include "FormatFiles.h"
 
 #include <zlib.h>
@@ -159,6 +161,42 @@ TEST(Gzip, FramesOneAfterTheOtherAreUnpackedOnce)
   EXPECT_EQ(starts, before);
   EXPECT_EQ(file.Frame(3).X[1], 3.1);
   EXPECT_EQ(starts, before + 1) << "back to the start, once";
+}
+
+TEST(Gzip, ALimitIsOfOneFrameAndNotOfTheFile)
+{
+  std::string text;
+  std::size_t longest = 0;
+  for (int rows : { 2000, 9000, 20000, 6000 })
+  {
+    const std::size_t begin = text.size();
+    text += "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n" + std::to_string(rows) +
+      "\nITEM: ATOMS id x y z radius\n";
+    for (int i = 0; i < rows; ++i)
+    {
+      text += std::to_string(i) + " " + std::to_string(i * i) + " 0.12345678 3 0.25\n";
+    }
+    longest = std::max(longest, text.size() - begin);
+  }
+  const std::string packed = Packed(text);
+  auto owned =
+    std::make_unique<ruc::BoundedBytes>(ruc::Unpack(std::make_unique<ruc::MemoryBytes>(packed)));
+  ruc::BoundedBytes& bytes = *owned;
+  formats::Opened file(std::move(owned)); // which is scanned whole
+  ASSERT_EQ(file.Frames.size(), 4u);
+  const std::uint64_t most = longest + 4 * ruc::LineSource::LongestLine; // which it reads ahead
+  ASSERT_LT(most, text.size());
+  for (std::size_t n : { 2u, 3u, 0u, 1u, 2u }) // also after going back to the start
+  {
+    bytes.Allow(most, "a quarter of it");
+    EXPECT_EQ(file.Frame(n).Size(), n == 0 ? 2000u : n == 1 ? 9000u : n == 2 ? 20000u : 6000u);
+  }
+  bytes.Allow(longest - 1, "a quarter of it");
+  EXPECT_SAYS(file.Frame(2), "MB is required, a quarter of it, got more.");
+  bytes.Allow(longest - 1, "a quarter of it");
+  EXPECT_EQ(file.Frame(0).Size(), 2000u); // a smaller one is read
+  bytes.AllowAll();
+  EXPECT_EQ(file.Frame(2).Size(), 20000u);
 }
 
 TEST(Gzip, WhatIsBeforeAFaultCanBeReadAgain)

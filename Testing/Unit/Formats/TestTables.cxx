@@ -4,6 +4,7 @@
 // Tables as people have them: two spheres, (1, 2, 3) of radius 0.5 and (-4, 5.5, 60) of radius
 // 0.25, in many ways of writing them; and what is refused, for its own reason.
 #include "FormatFiles.h"
+#include "ruc/Formats/TableColumns.h"
 
 namespace
 {
@@ -229,6 +230,20 @@ TEST(Tables, TwoColumnsForOneRole)
   EXPECT_EQ(Parse("x,pos_x,y,z\n1,7,2,3\n").Warnings,
     std::vector<std::string>{
       "Column 1, 'x', is taken and column 2, 'pos_x', is not: Columns chooses." });
+}
+
+TEST(Tables, WhatIsTakenOfNamesForOneRole)
+{
+  using Role = ruc::RowColumns;
+  const std::vector<std::string> names = { "r", "X [mm]", "pos_x", "Points:0", "y", "Radius", "" };
+  EXPECT_EQ(ruc::TellTaken(names, Role::X, "This"),
+    "'X [mm]' is taken and 'pos_x', 'Points:0' are not: This chooses.");
+  EXPECT_EQ(
+    ruc::TellTaken(names, Role::Radius, "That"), "'Radius' is taken and 'r' is not: That chooses.");
+  EXPECT_EQ(
+    ruc::TellTaken({ "Y", "y" }, Role::Y, "This"), "'Y' is taken and 'y' is not: This chooses.");
+  EXPECT_EQ(ruc::TellTaken(names, Role::Y, "This"), "");
+  EXPECT_EQ(ruc::TellTaken(names, Role::Z, "This"), "");
 }
 
 TEST(Tables, BadRows)
