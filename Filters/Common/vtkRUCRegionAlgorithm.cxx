@@ -110,12 +110,12 @@ std::unique_ptr<ruc::SamplingRegion> vtkRUCRegionAlgorithm::MakeRegion(
   if (!(this->WindowMargin >= 0.0 || this->WindowMargin == -1.0) || std::isinf(this->WindowMargin))
   {
     throw std::invalid_argument(
-      ruc::Text("WindowMargin requires a finite number >= 0, or -1 for the largest radius, got ",
+      ruc::Text("WindowMargin requires a finite number >= 0, or -1 for the automatic one, got ",
         this->WindowMargin, "."));
   }
   this->UsedMargin = share.Observed.IsFullyPeriodic() ? 0.0
     : this->WindowMargin >= 0.0                       ? this->WindowMargin
-                                                      : share.LargestRadius;
+                                                      : this->GetAutomaticMargin(share);
   if (!this->HasMask())
   {
     return std::make_unique<ruc::SamplingRegion>(share.Observed, this->UsedMargin);
@@ -146,6 +146,11 @@ std::unique_ptr<ruc::SamplingRegion> vtkRUCRegionAlgorithm::MakeRegion(
     ruc::VoxelMask::Gather(mask.Grid, mask.Inside, ranks), 0.0);
 }
 
+double vtkRUCRegionAlgorithm::GetAutomaticMargin(const ruc::PackTotals& pack) const
+{
+  return pack.LargestRadius;
+}
+
 std::uint32_t vtkRUCRegionAlgorithm::GetCheckedSeed() const
 {
   ruc::Require(this->Seed >= 0, "Seed", "a number >= 0", this->Seed);
@@ -155,6 +160,11 @@ std::uint32_t vtkRUCRegionAlgorithm::GetCheckedSeed() const
 void vtkRUCRegionAlgorithm::AddRegionSummary(vtkDataObject* data, const ruc::SamplingRegion& region)
 {
   PackData::AddField(data, "Seed", std::vector<long long>{ this->Seed });
+  this->AddMarginSummary(data, region);
+}
+
+void vtkRUCRegionAlgorithm::AddMarginSummary(vtkDataObject* data, const ruc::SamplingRegion& region)
+{
   PackData::AddField(data, "Mask", std::vector<long long>{ this->HasMask() });
   PackData::AddField(data, "WindowMargin", std::vector<double>{ this->UsedMargin });
   PackData::AddField(data, "SampledVolume", std::vector<double>{ region.Volume() });

@@ -28,6 +28,7 @@ struct SharedPack;
 namespace ruc
 {
 class SamplingRegion;
+struct PackTotals;
 }
 
 class RUCCOMMON_EXPORT vtkRUCRegionAlgorithm : public vtkRUCPackAlgorithm
@@ -99,6 +100,14 @@ protected:
 
   /** Adds the field data `Seed`, `Mask` (1 or 0), `WindowMargin` and `SampledVolume`. */
   void AddRegionSummary(vtkDataObject* data, const ruc::SamplingRegion& region);
+  /** Adds the same but for `Seed`, where nothing is random. */
+  void AddMarginSummary(vtkDataObject* data, const ruc::SamplingRegion& region);
+
+  /** The margin that a WindowMargin of -1 stands for: the largest radius unless a filter has
+   * another. */
+  virtual double GetAutomaticMargin(const ruc::PackTotals& pack) const;
+  /** The margin of the last region. */
+  double GetUsedMargin() const { return this->UsedMargin; }
 
 private:
   vtkRUCRegionAlgorithm(const vtkRUCRegionAlgorithm&) = delete;
@@ -108,7 +117,7 @@ private:
   int MaskLabel = 0;
   double WindowMargin = -1.0;
   int Seed = 1;
-  double UsedMargin = 0.0; // the margin of the last region
+  double UsedMargin = 0.0;
 };
 
 #endif

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Equality.h"
 
+#include "RankCommunicator.h"
+
 #include "vtkCommunicator.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -171,4 +174,22 @@ std::vector<Spread> Spreads()
       [=](std::size_t i)
       { return ranks == 1 || (rank > 0 && (i % (ranks - 1)) + 1 == ranks - rank); } },
   };
+}
+
+std::vector<std::vector<double>> SortedRows(
+  std::vector<double> own, std::size_t width, bool onAllRanks)
+{
+  if (onAllRanks)
+  {
+    own = RankCommunicator(vtkMultiProcessController::GetGlobalController()).Concatenate(own);
+  }
+  std::replace_if(
+    own.begin(), own.end(), [](double value) { return std::isnan(value); }, -1.0);
+  std::vector<std::vector<double>> rows;
+  for (auto row = own.begin(); row != own.end(); row += static_cast<std::ptrdiff_t>(width))
+  {
+    rows.emplace_back(row, row + static_cast<std::ptrdiff_t>(width));
+  }
+  std::sort(rows.begin(), rows.end());
+  return rows;
 }

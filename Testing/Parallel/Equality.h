@@ -40,6 +40,13 @@ void ExpectSameOutput(vtkDataObject* got, vtkDataObject* expected);
  */
 void ExpectSamePieces(vtkDataObject* got, vtkDataObject* expected);
 
+/**
+ * Returns the rows of `width` numbers that all ranks have, or this rank alone, in ascending order.
+ * Numbers that are NaN count as -1.
+ */
+std::vector<std::vector<double>> SortedRows(
+  std::vector<double> own, std::size_t width, bool onAllRanks);
+
 /** The pack of a test: with few or many sizes of spheres, in a window that is periodic or not. */
 class EveryPack : public testing::TestWithParam<std::tuple<bool, bool>>
 {

@@ -118,6 +118,8 @@ public:
   std::size_t Size() const { return this->Parts.front().Cells.Size(); }
   /** The place in the share of the centre at a sorted place. */
   std::size_t PlaceOf(std::size_t i) const { return this->Parts.front().Cells.Index[i]; }
+  /** Whether a part holds the share's own spheres, in their own places. */
+  bool IsOwn(const PairNeighbourhood::Part& part) const { return &part == &this->Parts.front(); }
 
   /**
    * Calls visit(part, j, dx, dy, dz, d2) for every other centre, images of its own included, closer

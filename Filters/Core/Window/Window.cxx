@@ -150,6 +150,25 @@ bool Window::ContainsAlong(int axis, double coordinate) const
     coordinate <= this->Origin[axis] + this->Size[axis] + slack;
 }
 
+double Window::DepthOf(const Vector3& point) const
+{
+  double depth = std::numeric_limits<double>::infinity();
+  if (this->WindowShape == Shape::Box)
+  {
+    for (int q = 0; q < 3; ++q)
+    {
+      const double from = point[q] - this->Origin[q];
+      depth = this->Periodic[q] ? depth : std::min({ depth, from, this->Size[q] - from });
+    }
+    return depth;
+  }
+  const Vector3 p = { point[0] - this->Base[0], point[1] - this->Base[1],
+    point[2] - this->Base[2] };
+  const double along = Dot(p, this->Axis);
+  const double lateral = std::sqrt(std::max(Dot(p, p) - along * along, 0.0));
+  return std::min({ along, this->Height - along, this->Radius - lateral });
+}
+
 double Window::SetCovariance(double dx, double dy, double dz) const
 {
   if (this->WindowShape == Shape::Box)

@@ -79,6 +79,12 @@ public:
    */
   Window Shrunk(double margin) const;
 
+  /**
+   * Returns how far a point in the window is from the nearest face that is not periodic: infinity
+   * where all are. It is below 0 for a point outside.
+   */
+  double DepthOf(const Vector3& point) const;
+
   /** Returns the window with all lengths and places times a factor > 0. */
   Window Scaled(double factor) const;
 

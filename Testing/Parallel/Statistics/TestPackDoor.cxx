@@ -7,6 +7,7 @@
 #include "vtkRUCChordLengths.h"
 #include "vtkRUCDirectionalProbability.h"
 #include "vtkRUCLabelImage.h"
+#include "vtkRUCNeighbourStatistics.h"
 #include "vtkRUCOnePointProbability.h"
 #include "vtkRUCParticleModes.h"
 #include "vtkRUCPointsToSpherePack.h"
@@ -48,6 +49,11 @@ void Prepare(vtkRUCPointsToSpherePack* filter)
 void Prepare(vtkRUCChordLengths* filter)
 {
   filter->SetNumberOfLines(200);
+}
+void Prepare(vtkRUCNeighbourStatistics* filter)
+{
+  // Else cells of the sparse spheres near the faces of the block are not known
+  filter->SetWindowMargin(3.6);
 }
 void Prepare(vtkRUCThirdOrderParameters* filter)
 {
@@ -113,6 +119,7 @@ void ForEachFilter(Check&& check)
   check(static_cast<vtkRUCChordLengths*>(nullptr));
   check(static_cast<vtkRUCRadialDistribution*>(nullptr));
   check(static_cast<vtkRUCThirdOrderParameters*>(nullptr));
+  check(static_cast<vtkRUCNeighbourStatistics*>(nullptr));
   check(static_cast<vtkRUCLabelImage*>(nullptr));
 }
 

@@ -5,6 +5,7 @@
 
 #include "vtkRUCChordLengths.h"
 #include "vtkRUCLabelImage.h"
+#include "vtkRUCNeighbourStatistics.h"
 #include "vtkRUCOnePointProbability.h"
 #include "vtkRUCParticleModes.h"
 #include "vtkRUCPointsToSpherePack.h"
@@ -233,6 +234,7 @@ TEST(WindowRefusals, LayerOfSpheres)
   RefusesLayer<TwoPoint>(Name.c_str());
   RefusesLayer<vtkRUCOnePointProbability>("One-Point Probability");
   RefusesLayer<vtkRUCThirdOrderParameters>("Third-Order Parameters");
+  RefusesLayer<vtkRUCNeighbourStatistics>("Neighbour Statistics");
   RefusesLayer<vtkRUCThreePointProbability>("Three-Point Probability");
   RefusesLayer<vtkRUCRadialDistribution>("Radial Distribution");
   RefusesLayer<vtkRUCChordLengths>("Chord Lengths");

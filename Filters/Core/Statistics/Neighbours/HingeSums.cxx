@@ -66,21 +66,6 @@ std::vector<double> SumsOfBlocks(const BlockHistogram& histogram, HingeSide side
   return sums;
 }
 
-// The standard error of sum / norm, over the blocks that hold anything
-double ErrorOf(const std::vector<double>& sums, const std::vector<double>& norms)
-{
-  const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
-  const double norm = std::accumulate(norms.begin(), norms.end(), 0.0);
-  std::vector<double> without;
-  for (std::size_t n = 0; n < sums.size(); ++n)
-  {
-    if (norms[n] > 0.0 && norms[n] < norm)
-    {
-      without.push_back((sum - sums[n]) / (norm - norms[n]));
-    }
-  }
-  return JackknifeError(without);
-}
 }
 
 BlockHistogram::BlockHistogram(double low, double high, int blocks)
@@ -114,8 +99,7 @@ HingeSums FindHingeSums(const BlockHistogram& histogram, HingeSide side, double 
   for (double threshold : FindThresholds(histogram, side))
   {
     const std::vector<double> sums = SumsOfBlocks(histogram, side, threshold);
-    const double value = std::accumulate(sums.begin(), sums.end(), 0.0) / norm;
-    const double error = ErrorOf(sums, histogram.Norm);
+    const auto [value, error] = JackknifeRatio(sums, histogram.Norm);
     if (threshold >= least && error > 1e-9 * value)
     {
       found.Threshold.push_back(threshold);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace ruc
@@ -26,5 +28,32 @@ inline double JackknifeError(const std::vector<double>& without)
   }
   return count > 1.0 ? std::sqrt(squares * (count - 1.0) / count)
                      : std::numeric_limits<double>::quiet_NaN();
+}
+
+/** A value with its standard error. Either is NaN where it is not known. */
+struct ValueWithError
+{
+  double Value, Error;
+};
+
+/**
+ * Returns sum / norm of all blocks of the data, with its standard error by the delete-one jackknife
+ * over the blocks whose norm is above 0.
+ */
+inline ValueWithError JackknifeRatio(
+  const std::vector<double>& sums, const std::vector<double>& norms)
+{
+  const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+  const double norm = std::accumulate(norms.begin(), norms.end(), 0.0);
+  std::vector<double> without;
+  for (std::size_t n = 0; n < sums.size(); ++n)
+  {
+    if (norms[n] > 0.0 && norms[n] < norm)
+    {
+      without.push_back((sum - sums[n]) / (norm - norms[n]));
+    }
+  }
+  return { norm > 0.0 ? sum / norm : std::numeric_limits<double>::quiet_NaN(),
+    JackknifeError(without) };
 }
 }
