@@ -80,7 +80,7 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
   std::optional<ruc::Estimate> MakeEstimate() override;
-  /** Two diameters of the largest sphere, more for a large MaximumGap. */
+  /** One and a half diameters of the largest sphere, more for a MaximumGap above 0.5. */
   double GetAutomaticMargin(const ruc::PackTotals& pack) const override;
 
 private:

@@ -20,6 +20,7 @@ FORMULAS = {
     'filters.ProbabilityMap': 'S_rs(x) = (δ_rs / V) Σ V_ii(|x|) + Σ V_ij(|d_ij − x|) / γ(d_ij)',
     'filters.ChordLengths': 'L_r(r) = Σ (c − r)+ / Σ (l − r)+',
     'filters.ImageStatistics': 'S_rs(x) = (A_rs(x) + A_rs(−x)) / (2 W(x))',
+    'filters.NeighbourStatistics': 'q_l² = Σ A_f A_g P_l(n_f · n_g) / (Σ A)²',
     'filters.RadialDistribution': 'g_rs(r_k) = Σ (V / γ(d_ij)) / (N shell_k / V)',
     'filters.ThirdOrderParameters': 'I_qrs = ⅓ ⟨χ_q F_r : F_s⟩',
     'filters.ThreePointProbability': 'ζ = 9 / (2 c (1 − c)) I_2 and η = 5 ζ / 21 + 150 / (7 c (1 − c)) I_4',

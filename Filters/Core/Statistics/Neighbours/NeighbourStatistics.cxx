@@ -310,7 +310,7 @@ NeighbourStatistics MeasureNeighbours(const PackShare& share, const CountedCentr
 
 double NeighbourMargin(double largestRadius, double maximumGap)
 {
-  return 2.0 * largestRadius * std::max(2.0, 1.0 + maximumGap);
+  return 2.0 * largestRadius * std::max(1.5, 1.0 + maximumGap);
 }
 
 Estimate EstimateNeighbours(const PackFigures& pack, const NeighbourSettings& settings)
