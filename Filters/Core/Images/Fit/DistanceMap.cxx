@@ -12,11 +12,11 @@ constexpr int Far = 1 << 15; // more planes than an image has, with a square of 
 
 // Counts the planes since the last one with matrix, column by column, in one direction
 RUC_VECTOR_CLONES
-void CountPlanes(const float* values, float threshold, int count, std::int32_t* since)
+void CountPlanes(const std::uint8_t* particles, int count, std::int32_t* since)
 {
   for (int n = 0; n < count; ++n)
   {
-    since[n] = values[n] > threshold ? (since[n] < Far ? since[n] + 1 : Far) : 0;
+    since[n] = particles[n] != 0 ? (since[n] < Far ? since[n] + 1 : Far) : 0;
   }
 }
 
@@ -146,30 +146,30 @@ struct Columns
 
 // What this rank tells: planes from its last matrix to its upper face, and from its lower face to
 // its first
-Columns FindColumns(const VoxelSlab<float>& image, float threshold)
+Columns FindColumns(const VoxelSlab<std::uint8_t>& particles)
 {
-  const std::size_t size = image.PlaneSize();
+  const std::size_t size = particles.PlaneSize();
   Columns own = { std::vector<std::int32_t>(size, Far), std::vector<std::int32_t>(size, Far) };
   const int count = static_cast<int>(size);
-  for (int z = image.First; z < image.Last; ++z)
+  for (int z = particles.First; z < particles.Last; ++z)
   {
-    CountPlanes(image.Row(0, z), threshold, count, own.FromBelow.data());
+    CountPlanes(particles.Row(0, z), count, own.FromBelow.data());
     CountPlanes(
-      image.Row(0, image.Last - 1 - (z - image.First)), threshold, count, own.FromAbove.data());
+      particles.Row(0, particles.Last - 1 - (z - particles.First)), count, own.FromAbove.data());
   }
   return own;
 }
 
-Columns FindColumnsBeyond(const VoxelSlab<float>& image, float threshold, Communicator& ranks)
+Columns FindColumnsBeyond(const VoxelSlab<std::uint8_t>& particles, Communicator& ranks)
 {
-  const std::size_t size = image.PlaneSize();
+  const std::size_t size = particles.PlaneSize();
   Columns beyond = { std::vector<std::int32_t>(size, Far), std::vector<std::int32_t>(size, Far) };
   if (ranks.Size() == 1)
   {
     return beyond;
   }
-  const Slabs slabs = { image.Dimensions[2], ranks.Size() };
-  const std::vector<Columns> all = ranks.AllGather(FindColumns(image, threshold));
+  const Slabs slabs = { particles.Dimensions[2], ranks.Size() };
+  const std::vector<Columns> all = ranks.AllGather(FindColumns(particles));
   const auto follow =
     [&](int rank, const std::vector<std::int32_t>& columns, std::vector<std::int32_t>& since)
   {
@@ -192,35 +192,44 @@ Columns FindColumnsBeyond(const VoxelSlab<float>& image, float threshold, Commun
 }
 }
 
-VoxelSlab<std::int32_t> SquaredDistances(
-  const VoxelSlab<float>& image, float threshold, Communicator& ranks)
+VoxelSlab<std::uint8_t> FindAbove(const VoxelSlab<float>& image, float threshold)
 {
-  VoxelSlab<std::int32_t> map = { image.Dimensions, image.First, image.Last, {} };
-  map.Values.resize(image.Values.size());
-  Columns beyond = FindColumnsBeyond(image, threshold, ranks);
-  const int width = image.Dimensions[0], height = image.Dimensions[1];
+  VoxelSlab<std::uint8_t> above = { image.Dimensions, image.First, image.Last, {} };
+  above.Values.resize(image.Values.size());
+  std::transform(image.Values.begin(), image.Values.end(), above.Values.begin(),
+    [threshold](float value) { return static_cast<std::uint8_t>(value > threshold); });
+  return above;
+}
+
+VoxelSlab<std::int32_t> SquaredDistances(VoxelSlab<std::uint8_t> particles, Communicator& ranks)
+{
+  VoxelSlab<std::int32_t> map = { particles.Dimensions, particles.First, particles.Last, {} };
+  map.Values.resize(particles.Values.size());
+  Columns beyond = FindColumnsBeyond(particles, ranks);
+  const int width = particles.Dimensions[0], height = particles.Dimensions[1];
 #pragma omp parallel for schedule(static)
   for (int y = 0; y < height; ++y)
   {
     std::int32_t* below = beyond.FromBelow.data() + static_cast<std::size_t>(y) * width;
     std::int32_t* above = beyond.FromAbove.data() + static_cast<std::size_t>(y) * width;
-    for (int z = image.First; z < image.Last; ++z)
+    for (int z = particles.First; z < particles.Last; ++z)
     {
-      CountPlanes(image.Row(y, z), threshold, width, below);
+      CountPlanes(particles.Row(y, z), width, below);
       std::copy_n(below, width, map.Row(y, z));
     }
-    for (int z = image.Last - 1; z >= image.First; --z)
+    for (int z = particles.Last - 1; z >= particles.First; --z)
     {
-      CountPlanes(image.Row(y, z), threshold, width, above);
+      CountPlanes(particles.Row(y, z), width, above);
       TakeNearer(above, width, map.Row(y, z));
       Square(width, map.Row(y, z));
     }
   }
+  particles.Values = {};
 #pragma omp parallel
   {
     PlaneOfDistances plane(width, height);
 #pragma omp for schedule(dynamic)
-    for (int z = image.First; z < image.Last; ++z)
+    for (int z = particles.First; z < particles.Last; ++z)
     {
       plane.Complete(map.Row(0, z));
     }

@@ -84,13 +84,13 @@ GreyModel Search::FindLevels(const VoxelSlab<float>& image)
 
 std::vector<Ball> Search::FindCandidates(const VoxelSlab<float>& image)
 {
-  const auto maxima = [&](const VoxelSlab<float>& of)
-  {
-    return FindMaxima(SquaredDistances(of, static_cast<float>(this->Found.Threshold), this->Ranks),
-      0.5 * this->How.LeastDiameter, this->How.Edges, this->Ranks);
-  };
   const int times = this->Found.Smoothing;
-  return KeepFirstOfEach(times == 0 ? maxima(image) : maxima(Smoothed(image, times, this->Ranks)));
+  const auto threshold = static_cast<float>(this->Found.Threshold);
+  VoxelSlab<std::uint8_t> above = times == 0
+    ? FindAbove(image, threshold)
+    : FindAbove(Smoothed(image, times, this->Ranks), threshold);
+  return KeepFirstOfEach(FindMaxima(SquaredDistances(std::move(above), this->Ranks),
+    0.5 * this->How.LeastDiameter, this->How.Edges, this->Ranks));
 }
 
 std::vector<Ball> Search::FindMissing(SphereFit& fit)
@@ -98,9 +98,10 @@ std::vector<Ball> Search::FindMissing(SphereFit& fit)
   VoxelSlab<float> left = fit.FindResidual(1);
   Smooth(left);
   SetHalo(left, 0, this->Ranks);
+  VoxelSlab<std::uint8_t> above =
+    FindAbove(std::exchange(left, {}), static_cast<float>(0.5 * fit.GetModel().Contrast));
   return KeepFirstOfEach(FindMaxima(
-    SquaredDistances(left, static_cast<float>(0.5 * fit.GetModel().Contrast), this->Ranks),
-    LeastCandidate, this->How.Edges, this->Ranks));
+    SquaredDistances(std::move(above), this->Ranks), LeastCandidate, this->How.Edges, this->Ranks));
 }
 
 bool Search::Run(SphereFit& fit, int most, double mostMoving, double from, double to)

@@ -92,9 +92,9 @@ CutParticles CutImage(VoxelSlab<float> image, const ParticleSearch& search, Comm
       cut.Threshold = FindGreyLevels(image, ranks).Threshold;
     }
   }
-  VoxelSlab<std::int32_t> distances =
-    SquaredDistances(image, static_cast<float>(cut.Threshold), ranks);
-  image = {};
+  VoxelSlab<std::uint8_t> above =
+    FindAbove(std::exchange(image, {}), static_cast<float>(cut.Threshold));
+  VoxelSlab<std::int32_t> distances = SquaredDistances(std::move(above), ranks);
   if (!goOn(0.3, "flooding"))
   {
     return cut;

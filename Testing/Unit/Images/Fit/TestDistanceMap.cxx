@@ -58,11 +58,13 @@ TEST(DistanceMap, IsExact)
       const std::vector<std::int32_t> expected = BruteForce(values, n, 1.0f);
       for (int size : { 1, 2, 3, 4 })
       {
-        EXPECT_EQ(
-          oracle::Together<std::int32_t>(size,
-            [&](ruc::Communicator& ranks) {
-              return ruc::SquaredDistances(oracle::SlabOf(values, n, ranks), 1.0f, ranks).Values;
-            }),
+        EXPECT_EQ(oracle::Together<std::int32_t>(size,
+                    [&](ruc::Communicator& ranks)
+                    {
+                      return ruc::SquaredDistances(
+                        ruc::FindAbove(oracle::SlabOf(values, n, ranks), 1.0f), ranks)
+                        .Values;
+                    }),
           expected)
           << n[0] << " " << n[1] << " " << n[2] << " " << share << " on " << size;
       }
@@ -74,6 +76,7 @@ TEST(DistanceMap, TellsWhereThereIsNoMatrix)
 {
   ruc::Communicator one;
   const std::vector<float> values(6 * 5 * 4, 2.0f);
-  const auto map = ruc::SquaredDistances(oracle::SlabOf(values, { 6, 5, 4 }, one), 1.0f, one);
+  const auto map =
+    ruc::SquaredDistances(ruc::FindAbove(oracle::SlabOf(values, { 6, 5, 4 }, one), 1.0f), one);
   EXPECT_EQ(map.Values, std::vector<std::int32_t>(values.size(), ruc::NoMatrix));
 }

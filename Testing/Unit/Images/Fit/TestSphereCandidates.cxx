@@ -38,8 +38,8 @@ TEST(SphereCandidates, AreTheMaximaOfDistances)
     oracle::ThreadRanks::Run(size,
       [&](ruc::Communicator& ranks)
       {
-        const auto map =
-          ruc::SquaredDistances(oracle::SlabOf(shares, scene.Dimensions, ranks), 0.5f, ranks);
+        const auto map = ruc::SquaredDistances(
+          ruc::FindAbove(oracle::SlabOf(shares, scene.Dimensions, ranks), 0.5f), ranks);
         const std::vector<Ball> found =
           ruc::KeepFirstOfEach(ruc::FindMaxima(map, 2.0, { 1, 1, 1 }, ranks));
         if (size == 1)

@@ -23,7 +23,7 @@ std::vector<std::int32_t> MapOf(
       isParticle({ k % n[0] + 0.5, k / n[0] % n[1] + 0.5, k / n[0] / n[1] + 0.5 }) ? 1.0f : 0.0f);
   }
   ruc::Communicator one;
-  return ruc::SquaredDistances(oracle::SlabOf(image, n, one), 0.5f, one).Values;
+  return ruc::SquaredDistances(ruc::FindAbove(oracle::SlabOf(image, n, one), 0.5f), one).Values;
 }
 
 std::vector<std::int32_t> Cut(
