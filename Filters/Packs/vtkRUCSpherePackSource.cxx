@@ -24,6 +24,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <functional>
 
 vtkStandardNewMacro(vtkRUCSpherePackSource);
 
@@ -78,10 +79,6 @@ void RequireWhole(const ruc::DensePack& made, double fraction)
   {
     throw std::invalid_argument(ruc::Text("The spheres jam at a fraction of ", made.Fraction,
       ", below Fraction ", fraction, ". A lower Rate, Exchange or another Seed may reach more."));
-  }
-  if (made.Pack.Empty())
-  {
-    throw std::invalid_argument("Stopped before there was a pack.");
   }
 }
 }
@@ -272,6 +269,14 @@ ruc::DensePack vtkRUCSpherePackSource::MakeSpheres(
       vtkWarningMacro(<< "checkpoint not written, the last good one remains: " << error);
     }
   };
+  const auto keep = [&](ruc::DensePackState state)
+  {
+    last = std::move(state);
+    if (file.IsDue())
+    {
+      write();
+    }
+  };
   const std::optional<ruc::DensePackState> resume = last;
   ruc::DensePack made = ruc::MakeDensePack(
     settings,
@@ -282,17 +287,7 @@ ruc::DensePack vtkRUCSpherePackSource::MakeSpheres(
                         : ruc::Text("fraction ", step.Fraction));
     },
     resume ? &*resume : nullptr,
-    [&](const ruc::DensePackState& state)
-    {
-      if (file.IsWanted())
-      {
-        last = state;
-        if (file.IsDue())
-        {
-          write();
-        }
-      }
-    });
+    file.IsWanted() ? std::function<void(ruc::DensePackState)>(keep) : nullptr);
   if (made.Stopped)
   {
     const bool isKept = last && file.IsWanted();
@@ -300,12 +295,13 @@ ruc::DensePack vtkRUCSpherePackSource::MakeSpheres(
     {
       write();
     }
-    if (!made.Pack.Empty()) // which is an error
+    const char* goesOn = isKept ? " The next run goes on from there." : "";
+    if (made.Pack.Empty())
     {
-      vtkWarningMacro(<< "stopped at a fraction of " << made.Fraction << ", below Fraction "
-                      << this->Fraction << ": the box is larger."
-                      << (isKept ? " The next run goes on from there." : ""));
+      throw std::invalid_argument(ruc::Text("Stopped before there was a pack.", goesOn));
     }
+    vtkWarningMacro(<< "stopped at a fraction of " << made.Fraction << ", below Fraction "
+                    << this->Fraction << ": the box is larger." << goesOn);
   }
   return made;
 }

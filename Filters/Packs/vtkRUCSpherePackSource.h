@@ -172,9 +172,9 @@ public:
   ///@}
   ///@{
   /**
-   * The file that holds the state of a pack whose spheres collide, where rank 0 runs. It is written
-   * every CheckpointInterval seconds and where the growth is stopped; if it exists, the growth goes
-   * on from it, to the same pack, bit by bit. Default: empty, for none.
+   * The file that holds the state of a pack on the way, where rank 0 runs. It is written every
+   * CheckpointInterval seconds and where the work is stopped; if it exists, the work goes on from
+   * it, to the same pack, bit by bit. Default: empty, for none.
    */
   vtkSetMacro(CheckpointFile, std::string);
   vtkGetMacro(CheckpointFile, std::string);

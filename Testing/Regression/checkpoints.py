@@ -110,15 +110,16 @@ def test_kills():
 
 
 def test_packs():
-    """A growing pack that is killed goes on to the same pack, and refuses the state of another."""
-    settings = {'NumberOfSpheres': 1500, 'Fraction': 0.64}
-    name = os.path.join(FOLDER, 'pack.state')
-    writing = dict(settings, CheckpointFile=name, CheckpointInterval=0)
-    killed = sum(run_and_kill(writing, 1 + n % 2) for n in range(3))
-    require(killed >= 2, f'packs grow long enough to be killed 3 times, were {killed} times')
-    (_, expected), (_, resumed), (output, other) = run(settings, writing, dict(writing, Seed=2))
-    require(expected and resumed == expected, 'a pack ends as if it had never been killed')
-    require(other is None and 'other settings' in output, f'another pack is refused, got {output[-300:]}')
+    """A pack that is killed, while its spheres grow or while they are pushed apart, goes on to the same pack, and refuses the state of another."""
+    for label, settings in (('growing', {'NumberOfSpheres': 1500, 'Fraction': 0.64}),
+                            ('pushed', {'NumberOfSpheres': 30000, 'Fraction': 0.6, 'Protocol': 'Soft'})):
+        name = os.path.join(FOLDER, label + '.state')
+        writing = dict(settings, CheckpointFile=name, CheckpointInterval=0)
+        killed = sum(run_and_kill(writing, 1 + n % 2) for n in range(3))
+        require(killed >= 2, f'{label} packs take long enough to be killed 3 times, were {killed} times')
+        (_, expected), (_, resumed), (output, other) = run(settings, writing, dict(writing, Seed=2))
+        require(expected and resumed == expected, f'a {label} pack ends as if it had never been killed')
+        require(other is None and 'other settings' in output, f'another pack is refused, got {output[-300:]}')
     print('packs killed and resumed', flush=True)
 
 

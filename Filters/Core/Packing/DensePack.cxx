@@ -6,12 +6,12 @@
 #include "ruc/Base/Require.h"
 #include "ruc/Packing/HardSpheres.h"
 #include "ruc/Packing/MaximumFraction.h"
-#include "ruc/Packing/OverlapRemoval.h"
 #include "ruc/Particles/SphereOverlap.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace ruc
 {
@@ -44,7 +44,8 @@ class Packer
 public:
   using Progress = std::function<bool(const GrowthStep&, double)>;
 
-  using Saving = std::function<void(const DensePackState&)>;
+  using Saving = std::function<void(DensePackState)>;
+  using Stage = DensePackState::Stage;
 
   Packer(const DensePackSettings& settings, const Progress& carryOn, const Saving& save)
     : Settings(settings)
@@ -62,16 +63,16 @@ public:
     const bool soft = this->Settings.Protocol == PackingProtocol::Soft ||
       (this->Settings.Protocol == PackingProtocol::Automatic && share <= SoftShare);
     this->Result.IsSoft = soft;
-    if (resume)
+    if (resume && resume->At != Stage::Pushing)
     {
       this->Reached = resume->Fraction;
       this->Result.History = resume->History;
     }
-    else if (!this->Start(soft))
+    else if (!this->Start(soft, std::exchange(resume, nullptr)))
     {
       return std::move(this->Result);
     }
-    if (resume && resume->Grows)
+    if (resume && resume->At == Stage::Growing)
     {
       this->Grow(resume->Rate, resume);
     }
@@ -81,7 +82,7 @@ public:
     }
     if (!this->Result.Jammed && !this->Result.Stopped && this->Settings.Equilibration > 0.0)
     {
-      this->Equilibrate(resume && !resume->Grows ? resume : nullptr);
+      this->Equilibrate(resume && resume->At == Stage::Equilibrating ? resume : nullptr);
     }
     this->Finish();
     return std::move(this->Result);
@@ -90,11 +91,12 @@ public:
 private:
   // Makes the pack from which spheres grow, or the whole of a soft one; returns whether there is
   // one
-  bool Start(bool soft)
+  bool Start(bool soft, const DensePackState* resume)
   {
-    this->Reached = soft ? this->Settings.Fraction
-                         : StartFor(this->Settings.Fraction, this->Result.MaximumFraction);
-    bool free = this->Begin();
+    this->Reached = resume ? resume->Fraction
+      : soft               ? this->Settings.Fraction
+                           : StartFor(this->Settings.Fraction, this->Result.MaximumFraction);
+    bool free = this->Begin(resume ? &resume->Removal : nullptr);
     for (; !free && !soft && !this->Result.Stopped && this->Reached > 0.01; free = this->Begin())
     {
       this->Reached *= 0.9;
@@ -108,13 +110,21 @@ private:
   }
 
   // Returns whether there is a pack of the fraction Reached
-  bool Begin()
+  bool Begin(const OverlapRemovalState* resume = nullptr)
   {
     this->PutAtRandom();
     const GrowthStep step = { 0.0, this->Reached, 1.0, 0.0 };
+    const auto save = [&](const OverlapRemovalState& removal)
+    {
+      if (this->Save)
+      {
+        this->Save({ Stage::Pushing, 0.0, this->Reached, 0.0, {}, {}, removal });
+      }
+    };
     return this->Tell(step, 0.0) &&
-      RemoveOverlap(this->Result.Pack, this->Result.Box, this->Settings.Seed,
-        [&]() { return this->Tell(step, 0.0); });
+      RemoveOverlap(
+        this->Result.Pack, this->Result.Box, this->Settings.Seed,
+        [&]() { return this->Tell(step, 0.0); }, resume, save);
   }
 
   Window MakeBox() const
@@ -204,13 +214,13 @@ private:
 
   // Tells a step between collisions, and saves what can be saved then. Returns whether to go on.
   bool TellRound(
-    const HardSpheres& spheres, const GrowthStep& step, double done, bool grows, double before)
+    const HardSpheres& spheres, const GrowthStep& step, double done, Stage at, double before)
   {
     const bool goesOn = this->Tell(step, done);
     if (this->Save && spheres.IsBetweenRounds())
     {
       this->Save(
-        { grows, step.Rate, this->Reached, before, this->Result.History, spheres.GetState() });
+        { at, step.Rate, this->Reached, before, this->Result.History, spheres.GetState(), {} });
     }
     return goesOn;
   }
@@ -232,7 +242,7 @@ private:
         const GrowthStep step = { rate, fraction(), spheres.ReducedPressure(),
           collisions + spheres.CollisionsOfSphere() };
         const double done = std::clamp((fraction() - from) / (wanted - from), 0.0, 1.0);
-        return this->TellRound(spheres, step, done, true, collisions);
+        return this->TellRound(spheres, step, done, Stage::Growing, collisions);
       };
       const HardSpheres::End end =
         resume ? spheres.Resume(carryOn) : spheres.Grow(growth, rate, carryOn);
@@ -273,7 +283,7 @@ private:
     {
       const GrowthStep step = { 0.0, this->Reached, spheres.ReducedPressure(),
         before + spheres.CollisionsOfSphere() };
-      return this->TellRound(spheres, step, 1.0, false, before);
+      return this->TellRound(spheres, step, 1.0, Stage::Equilibrating, before);
     };
     if (resume)
     {
@@ -339,7 +349,7 @@ private:
 
 DensePack MakeDensePack(const DensePackSettings& settings,
   const std::function<bool(const GrowthStep&, double)>& carryOn, const DensePackState* resume,
-  const std::function<void(const DensePackState&)>& save)
+  const std::function<void(DensePackState)>& save)
 {
   return Packer(settings, carryOn, save).Run(resume);
 }

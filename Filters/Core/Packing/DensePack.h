@@ -4,6 +4,7 @@
 
 #include "ruc/Base/Estimate.h"
 #include "ruc/Packing/HardSphereState.h"
+#include "ruc/Packing/OverlapRemoval.h"
 #include "ruc/Particles/SpherePack.h"
 
 #include <cstdint>
@@ -82,21 +83,29 @@ struct MeanPressure
  */
 std::optional<MeanPressure> FindMeanPressure(const std::vector<GrowthStep>& history);
 
-/** The state of a pack whose spheres collide, between two rounds of collisions. */
+/** The state of a pack on the way. */
 struct DensePackState
 {
-  bool Grows = false; // or equilibrates
-  double Rate = 0.0;  // of the growth
-  /** The fraction, and the collisions of a sphere, when this growth or equilibration began. */
+  enum class Stage : std::uint8_t
+  {
+    Pushing, // apart, before any collide: of what follows, there are Fraction and Removal
+    Growing,
+    Equilibrating
+  };
+  friend constexpr int CountOf(Stage) { return 3; }
+  Stage At = Stage::Pushing;
+  double Rate = 0.0; // of the growth
+  /** The fraction, and the collisions of a sphere, when this stage began. */
   double Fraction = 0.0, Collisions = 0.0;
   std::vector<GrowthStep> History;
-  HardSphereState Spheres;
+  HardSphereState Spheres; // between two rounds of collisions
+  OverlapRemovalState Removal;
 
   template <class Self>
   static auto Fields(Self& self)
   {
     return std::tie(
-      self.Grows, self.Rate, self.Fraction, self.Collisions, self.History, self.Spheres);
+      self.At, self.Rate, self.Fraction, self.Collisions, self.History, self.Spheres, self.Removal);
   }
 };
 
@@ -126,13 +135,13 @@ struct DensePack
  * above MaximumRandomFraction. One thread; the result depends on the settings alone. `carryOn` is
  * told the last step and what is done, from 0 to 1.
  *
- * `save`, if given, receives the state after every round of 50 collisions of a sphere. `resume` is
- * such a state to go on from, to the same end, bit by bit.
+ * `save`, if given, receives the state after every round of 50 collisions of a sphere, and now and
+ * then while spheres are pushed apart. `resume` is such a state to go on from, to the same end, bit
+ * by bit.
  */
 DensePack MakeDensePack(const DensePackSettings& settings,
   const std::function<bool(const GrowthStep&, double)>& carryOn,
-  const DensePackState* resume = nullptr,
-  const std::function<void(const DensePackState&)>& save = {});
+  const DensePackState* resume = nullptr, const std::function<void(DensePackState)>& save = {});
 
 /**
  * What MakeDensePack takes for `spheres` spheres, of whose sizes `settings.Radii` are a sample. An

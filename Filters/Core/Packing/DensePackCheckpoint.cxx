@@ -13,7 +13,7 @@ namespace ruc
 namespace
 {
 constexpr std::string_view Format = "RUCDENSE";
-constexpr std::uint32_t Version = 1;
+constexpr std::uint32_t Version = 2;
 
 std::uint64_t KeyOf(const DensePackSettings& settings)
 {
@@ -37,8 +37,17 @@ DensePackState ReadDensePackCheckpoint(std::string_view bytes, const DensePackSe
   DensePackState state;
   reader.Get(state);
   reader.Finish();
-  state.Spheres.Check(settings.Radii.size());
-  const bool fits = (state.Grows ? state.Rate > 0.0 && state.Rate <= 1.0 : state.Rate == 0.0) &&
+  const bool grows = state.At == DensePackState::Stage::Growing;
+  const bool pushes = state.At == DensePackState::Stage::Pushing;
+  if (pushes)
+  {
+    state.Removal.Check(settings.Radii.size());
+  }
+  else
+  {
+    state.Spheres.Check(settings.Radii.size());
+  }
+  const bool fits = (grows ? state.Rate > 0.0 && state.Rate <= 1.0 : state.Rate == 0.0) &&
     state.Fraction > 0.0 && state.Fraction <= settings.Fraction * (1.0 + 1e-8) &&
     state.Collisions >= 0.0 && std::isfinite(state.Collisions);
   if (!fits)

@@ -12,7 +12,7 @@ namespace ruc
 /**
  * @file
  * The state of a dense pack as bytes, from which MakeDensePack goes on: sealed (SealBytes) as
- * "RUCDENSE" of version 1, the fingerprint of the settings (64 bits) and the state as Base/Bytes.h
+ * "RUCDENSE" of version 2, the fingerprint of the settings (64 bits) and the state as Base/Bytes.h
  * writes it.
  */
 

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Packing/OverlapRemoval.h"
 
-#include "ruc/Base/Descent.h"
 #include "ruc/Base/Random.h"
 #include "ruc/Particles/Contacts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 namespace ruc
 {
@@ -110,20 +111,27 @@ void Shake(SpherePack& pack, const Window& box, std::uint32_t seed, std::uint32_
   WrapIntoBox(pack, box);
 }
 
+// With enlarged contacts the search ends at a point where the true ones are free. Near jamming
+// there is room for less enlargement.
+constexpr double Enlargements[] = { 1e-4, 1e-5, 1e-6, 1e-4, 1e-5, 1e-6, 1e-5, 1e-6, 1e-5, 1e-6 };
+constexpr auto Attempts = static_cast<std::uint32_t>(std::size(Enlargements));
+constexpr std::uint32_t AttemptsUnshaken = 3;
+constexpr int MaximumIterations = 4000, IterationsBetweenStates = 50;
+
+using Saving = std::function<void(const OverlapRemovalState&)>;
+
 // Descends until no two spheres overlap or nothing is to be gained. Returns whether the caller
 // wants to go on.
-bool PushApart(
-  SpherePack& pack, const Window& box, double reach, const std::function<bool()>& carryOn)
+bool PushApart(SpherePack& pack, const Window& box, OverlapRemovalState state,
+  const std::function<bool()>& carryOn, const Saving& save)
 {
-  constexpr int MaximumIterations = 4000;
   int evaluations = 0;
-  DescentState state;
-  state.Place = CentresOf(pack);
   DescentSettings settings;
   settings.FirstStep = pack.LargestRadius(); // of all spheres together
+  const double reach = 1.0 + Enlargements[state.Attempt];
   bool free = false, stopped = false;
   Descend(
-    state, settings,
+    state.Descent, settings,
     [&](const double* place, double* gradient, double& value)
     {
       SetCentres(pack, box, place);
@@ -133,24 +141,57 @@ bool PushApart(
       stopped = ++evaluations % 10 == 0 && !carryOn();
       return !stopped;
     },
-    [&](const DescentState& now) { return !free && now.Iterations < MaximumIterations; });
-  SetCentres(pack, box, state.Place.data());
+    [&](const DescentState& now)
+    {
+      const bool goesOn = !free && now.Iterations < MaximumIterations;
+      if (goesOn && save && now.Iterations % IterationsBetweenStates == 0)
+      {
+        save(state);
+      }
+      return goesOn;
+    });
+  if (stopped && save && !state.Descent.Gradient.empty())
+  {
+    save(state);
+  }
+  SetCentres(pack, box, state.Descent.Place.data());
   return !stopped;
 }
 }
 
-bool RemoveOverlap(
-  SpherePack& pack, const Window& box, std::uint32_t seed, const std::function<bool()>& carryOn)
+void OverlapRemovalState::Check(std::size_t spheres) const
 {
-  // With enlarged contacts the search ends at a point where the true ones are free. Near jamming
-  // there is room for less enlargement.
-  constexpr double Enlargements[] = { 1e-4, 1e-5, 1e-6, 1e-4, 1e-5, 1e-6, 1e-5, 1e-6, 1e-5, 1e-6 };
-  constexpr std::uint32_t AttemptsUnshaken = 3;
+  const auto isOfAll = [&](const std::vector<double>& numbers)
+  {
+    return numbers.size() == 3 * spheres &&
+      std::all_of(numbers.begin(), numbers.end(), [](double q) { return std::isfinite(q); });
+  };
+  const auto areOfAll = [&](const std::vector<std::vector<double>>& all) {
+    return all.size() <= DescentSettings().Memory && std::all_of(all.begin(), all.end(), isOfAll);
+  };
+  const DescentState& descent = this->Descent;
+  const bool good = this->Attempt < Attempts && isOfAll(descent.Place) &&
+    isOfAll(descent.Gradient) && descent.Value > 0.0 && std::isfinite(descent.Value) &&
+    descent.Iterations >= 0 && descent.Iterations < MaximumIterations && areOfAll(descent.Steps) &&
+    areOfAll(descent.GradientChanges) && descent.Steps.size() == descent.GradientChanges.size();
+  if (!good)
+  {
+    throw std::invalid_argument("The checkpoint is damaged: it holds a value that cannot be.");
+  }
+}
+
+bool RemoveOverlap(SpherePack& pack, const Window& box, std::uint32_t seed,
+  const std::function<bool()>& carryOn, const OverlapRemovalState* resume, const Saving& save)
+{
   WrapIntoBox(pack, box);
   bool goesOn = true;
-  std::uint32_t attempt = 0;
-  for (double enlargement : Enlargements)
+  for (std::uint32_t attempt = resume ? resume->Attempt : 0; attempt < Attempts; ++attempt)
   {
+    if (resume)
+    {
+      goesOn = PushApart(pack, box, *std::exchange(resume, nullptr), carryOn, save);
+      continue;
+    }
     if (IsFree(pack, box))
     {
       return true;
@@ -163,8 +204,10 @@ bool RemoveOverlap(
     {
       Shake(pack, box, seed, attempt);
     }
-    ++attempt;
-    goesOn = PushApart(pack, box, 1.0 + enlargement, carryOn);
+    OverlapRemovalState state;
+    state.Attempt = attempt;
+    state.Descent.Place = CentresOf(pack);
+    goesOn = PushApart(pack, box, std::move(state), carryOn, save);
   }
   return IsFree(pack, box);
 }

@@ -69,6 +69,40 @@ ruc::DensePackState StateOf(const ruc::DensePackSettings& settings)
 }
 }
 
+// Spheres that are pushed apart, some of them shaken, to the end or to where they begin to grow
+TEST(DensePackCheckpoint, SpheresThatArePushedApart)
+{
+  ruc::DensePackSettings settings = Equal(300, 0.615);
+  settings.Protocol = ruc::PackingProtocol::Soft;
+  ExpectToResume(settings);
+  settings.Periodic = { true, true, false };
+  settings.Fraction = 0.58;
+  ExpectToResume(settings);
+}
+
+TEST(DensePackCheckpoint, PushingThatWasStoppedGoesOn)
+{
+  ruc::DensePackSettings settings = Equal(300, 0.61);
+  settings.Protocol = ruc::PackingProtocol::Soft;
+  const ruc::DensePack whole = ruc::MakeDensePack(settings, Always);
+  std::optional<ruc::DensePackState> last;
+  int stops = 0;
+  for (bool stopped = true; stopped; ++stops)
+  {
+    const std::optional<ruc::DensePackState> resume = last;
+    int calls = 0;
+    const ruc::DensePack pack = ruc::MakeDensePack(
+      settings, [&](const ruc::GrowthStep&, double) { return ++calls < 5; },
+      resume ? &*resume : nullptr, [&](const ruc::DensePackState& state) { last = state; });
+    stopped = pack.Stopped;
+    if (!stopped)
+    {
+      ExpectSame(pack, whole);
+    }
+  }
+  EXPECT_GT(stops, 2);
+}
+
 TEST(DensePackCheckpoint, GrowthOfEqualSpheres)
 {
   ExpectToResume(Equal(200, 0.635));
@@ -161,8 +195,38 @@ TEST(DensePackCheckpoint, AForgedStateIsRefused)
   refuses([&](ruc::DensePackState& state) { state.Spheres.Near[0].pop_back(); });
   refuses([&](ruc::DensePackState& state) { state.Spheres.Order[0] = state.Spheres.Order[1]; });
   refuses([&](ruc::DensePackState& state) { state.Spheres.Unit = 0.0; });
+  refuses([&](ruc::DensePackState& state) { state.At = ruc::DensePackState::Stage(3); });
+  refuses(
+    [&](ruc::DensePackState& state) { state.At = ruc::DensePackState::Stage::Equilibrating; });
+  refuses([&](ruc::DensePackState& state) { state.At = ruc::DensePackState::Stage::Pushing; });
   // Too large for the grid
   ruc::DensePackState large = good;
   large.Spheres.Reach[0] *= 10.0;
   EXPECT_THROW(ruc::MakeDensePack(settings, Always, &large), std::invalid_argument);
+}
+
+TEST(DensePackCheckpoint, AForgedStateOfPushingIsRefused)
+{
+  ruc::DensePackSettings settings = Equal(300, 0.61);
+  settings.Protocol = ruc::PackingProtocol::Soft;
+  ruc::DensePackState good;
+  ruc::MakeDensePack(
+    settings, Always, nullptr, [&](const ruc::DensePackState& state) { good = state; });
+  ASSERT_EQ(good.At, ruc::DensePackState::Stage::Pushing);
+  EXPECT_EQ(Refusal(ruc::WriteCheckpoint(good, settings), settings), "<no exception>");
+  const auto refuses = [&](const std::function<void(ruc::OverlapRemovalState&)>& forge)
+  {
+    ruc::DensePackState state = good;
+    forge(state.Removal);
+    EXPECT_NE(Refusal(ruc::WriteCheckpoint(state, settings), settings), "<no exception>");
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  refuses([](ruc::OverlapRemovalState& state) { state.Attempt = 10; });
+  refuses([](ruc::OverlapRemovalState& state) { state.Descent.Iterations = 4000; });
+  refuses([](ruc::OverlapRemovalState& state) { state.Descent.Place.pop_back(); });
+  refuses([](ruc::OverlapRemovalState& state) { state.Descent.Gradient.clear(); });
+  refuses([](ruc::OverlapRemovalState& state) { state.Descent.Steps.pop_back(); });
+  refuses([](ruc::OverlapRemovalState& state) { state.Descent.GradientChanges[0].push_back(0.0); });
+  refuses([&](ruc::OverlapRemovalState& state) { state.Descent.Steps[1][2] = nan; });
+  refuses([&](ruc::OverlapRemovalState& state) { state.Descent.Value = nan; });
 }
