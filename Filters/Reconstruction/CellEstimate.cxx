@@ -98,6 +98,10 @@ ruc::Estimate CellEstimate::OfPack(const ruc::PackFigures& pack, const CellPrope
   {
     estimate += ruc::EstimateNeighbourSums(pack);
   }
+  if (!search.IsByPopulation() && neighbours.SpectrumWeight > 0.0)
+  {
+    estimate += ruc::EstimateSpectrum(pack);
+  }
   estimate += OfSearch(cell, lags, search, longestSearch);
   return estimate;
 }

@@ -29,7 +29,7 @@ void FillConvergence(
   const ruc::UnitCell& cell, const ruc::NeighbourTarget& neighbours, vtkTable* table)
 {
   std::vector<long long> iteration;
-  std::vector<double> objective, overlap, multipliers, gaps, nearest, pores;
+  std::vector<double> objective, overlap, multipliers, gaps, nearest, pores, spectrum;
   for (const ruc::SearchState& state : cell.Convergence)
   {
     iteration.push_back(state.Iteration);
@@ -41,6 +41,7 @@ void FillConvergence(
     gaps.push_back(misfits.Gaps + unknown);
     nearest.push_back(misfits.Nearest + unknown);
     pores.push_back(misfits.Pores + unknown);
+    spectrum.push_back(misfits.Spectrum + unknown);
   }
   PackData::AddColumn(table, "Iteration", iteration);
   PackData::AddColumn(table, "Objective", objective);
@@ -49,11 +50,15 @@ void FillConvergence(
   {
     PackData::AddColumn(table, "SumOfMultipliers", multipliers);
   }
-  if (!neighbours.Empty())
+  if (neighbours.HasContacts() || neighbours.HasPores())
   {
     PackData::AddColumn(table, "GapMisfit", gaps);
     PackData::AddColumn(table, "NearestMisfit", nearest);
     PackData::AddColumn(table, "PoreMisfit", pores);
+  }
+  if (neighbours.HasSpectrum())
+  {
+    PackData::AddColumn(table, "SpectrumMisfit", spectrum);
   }
 }
 
@@ -131,12 +136,20 @@ void AddCellFields(
   number("StartObjective", cell.StartObjective);
   number("OnePointDifference",
     ruc::OnePointDifference(all.Contents, all.Target.Fractions, cell.Box.Size[0]));
-  if (!all.Settings.Gradient.Neighbours.Empty())
+  const ruc::NeighbourTarget& neighbours = all.Settings.Gradient.Neighbours;
+  const ruc::NeighbourMisfits& misfits = cell.Convergence.back().Misfits;
+  if (neighbours.HasContacts() || neighbours.HasPores())
   {
-    const ruc::NeighbourMisfits& misfits = cell.Convergence.back().Misfits;
     number("GapMisfit", misfits.Gaps);
     number("NearestMisfit", misfits.Nearest);
     number("PoreMisfit", misfits.Pores);
+  }
+  if (neighbours.HasSpectrum())
+  {
+    number("SpectrumMisfit", misfits.Spectrum);
+    number("Zeta", cell.Zeta);
+    number("ZetaOfPack", neighbours.Spectrum.Zeta);
+    number("ZetaOfPack_error", neighbours.Spectrum.ZetaError);
   }
   whole("Iterations", cell.Iterations);
   PackData::AddField(data, "EndedBy", std::string(ruc::NameOf(cell.EndedBy)));

@@ -217,12 +217,11 @@ void vtkRUCUnitCellReconstruction::Execute(
   const ruc::CellContents contents = this->Cell.FindContents(
     amounts, [&]() { return this->FindEdge(target, amounts.MeanDiameter(), ranks); });
   const ruc::NeighbourTarget& neighbours = this->Search.Gradient.Neighbours;
-  if (this->Search.Method == GRADIENT && ranks.Rank() == 0 &&
-    neighbours.ContactWeight + neighbours.PoreWeight > 0.0)
+  if (this->Search.Method == GRADIENT && ranks.Rank() == 0 && neighbours.IsWanted())
   {
     vtkWarningMacro(
-      << "ContactWeight and PoreWeight do not count, as a table of S_rs tells no near "
-         "neighbours and no pores: they require a pack.");
+      << "ContactWeight, PoreWeight and SpectrumWeight do not count, as a table of S_rs tells no "
+         "near neighbours, no pores and no spectrum: they require a pack.");
   }
   this->Reconstruct(
     contents, target, this->Search, PackData::FindLengthUnit(table, ranks), outputs, ranks, report);
@@ -258,7 +257,15 @@ CellSearch::Settings vtkRUCUnitCellReconstruction::FindSearch(
 {
   CellSearch::Settings search = this->Search;
   ruc::NeighbourTarget& neighbours = search.Gradient.Neighbours;
-  if (search.Method != GRADIENT || neighbours.ContactWeight + neighbours.PoreWeight == 0.0)
+  if (search.Method != GRADIENT || !neighbours.IsWanted())
+  {
+    return search;
+  }
+  if (neighbours.SpectrumWeight > 0.0)
+  {
+    neighbours.Spectrum = ruc::MeasureSpectrum(share, "SpectrumWeight", ranks);
+  }
+  if (neighbours.ContactWeight + neighbours.PoreWeight == 0.0)
   {
     return search;
   }

@@ -18,8 +18,9 @@
  *
  * Gradient starts from random centres, pushes the overlap out, descends by L-BFGS on the exact F2
  * and its gradient with an overlap penalty, and removes the last overlap exactly. With
- * ContactWeight and PoreWeight it then descends on F2, near neighbours and pores together, which
- * are compared in the pack's standard errors (Core/Reconstruction/SearchObjective.h). Annealed
+ * ContactWeight, PoreWeight and SpectrumWeight it then descends on F2, near neighbours, pores and
+ * the spectrum together, which are compared in the pack's standard errors
+ * (Core/Reconstruction/SearchObjective.h). Annealed
  * Population is RECON3D of the paper (Core/Reconstruction/Population/PopulationSearch.h). Hybrid
  * has a small population whose best member descends by L-BFGS, then is changed a little and
  * descends again. Several cells are independent searches with the seeds Seed, Seed + 1, …, one on
@@ -30,10 +31,12 @@
  *   pack with its periodic box and the field data `Objective` (F2), `StartObjective` (F2 of the
  *   random start, freed from overlap as far as that went; for a population its mean),
  *   `OnePointDifference` (F1, equation 11), `OverlapPercent`, `Iterations` (or generations),
- *   `EndedBy` (text), `Stopped` (1 if the search was ended from outside) and `Cell` (its number).
+ *   `EndedBy` (text), `Stopped` (1 if the search was ended from outside) and `Cell` (its number);
+ *   with SpectrumWeight also `Zeta` (NaN where the cell has overlap), `ZetaOfPack` and
+ *   `ZetaOfPack_error`.
  * - 1 is the table of convergence of the best cell, `Iteration`, `Objective`, `OverlapPercent`, for
- *   a dense cell `SumOfMultipliers`, and `GapMisfit`, `NearestMisfit`, `PoreMisfit` (which are also
- *   field data; NaN while F2 descends alone) where they count, whose row 0 is the start and whose
+ *   a dense cell `SumOfMultipliers`, and `GapMisfit`, `NearestMisfit`, `PoreMisfit`, `SpectrumMisfit`
+ *   (which are also field data; NaN while F2 descends alone) where they count, whose row 0 is the start and whose
  * last row is the cell that is returned.
  * - 2 is the table `r`, `S_1_1_pack`, `S_1_1_cell`, … of the best cell; for several cells also
  *   `S_1_1_mean`, `S_1_1_deviation` (the standard deviation over the cells), ….
@@ -137,7 +140,7 @@ public:
   RUCSetting(SaturationTolerance, double, Cell.SaturationTolerance);
   /**
    * The most iterations of L-BFGS on F2, >= 0. The search ends earlier if F2 falls by less than 0.1
-   * % in 100 iterations. With ContactWeight or PoreWeight up to one and a half times as many
+   * % in 100 iterations. With ContactWeight, PoreWeight or SpectrumWeight up to one and a half times as many
    * follow, on F2 and those terms together. Default: 1000.
    */
   RUCSetting(MaximumIterations, int, Search.Gradient.MaximumIterations);
@@ -151,6 +154,12 @@ public:
   RUCSetting(ContactWeight, double, Search.Gradient.Neighbours.ContactWeight);
   /** The same for the widths of the pores. Default: 0. */
   RUCSetting(PoreWeight, double, Search.Gradient.Neighbours.PoreWeight);
+  /**
+   * The same for the spectrum of zeta, Z(l), l = 2 to 8, of vtkRUCThirdOrderParameters. The pack
+   * must overlap by at most 0.01 % and have 100 spheres three mean diameters away from its faces.
+   * Default: 0.
+   */
+  RUCSetting(SpectrumWeight, double, Search.Gradient.Neighbours.SpectrumWeight);
   /**
    * The search ends with the best cell so far after this many seconds, >= 0. Default: 0, which
    * means no limit.
@@ -262,7 +271,7 @@ private:
   void Reconstruct(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
     const CellSearch::Settings& search, const std::string& lengthUnit,
     vtkInformationVector* outputs, RankCommunicator& ranks, ProgressReport& report);
-  // Returns the settings with the near neighbours and pores of the pack, where they are wanted
+  // Returns the settings with the near neighbours, pores and spectrum of the pack, where wanted
   CellSearch::Settings FindSearch(const ruc::PackShare& share, RankCommunicator& ranks);
 
   CellProperties Cell;

@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Cells of the example pack by F2 alone, and with near neighbours and pores: how near they come,
- * and what they cost. Gaps and pores are measured here anew, by all pairs and by random points, and
- * with standard errors from nine columns of the pack.
+ * Cells of the example pack by F2 alone, and with near neighbours, pores and the spectrum: how near
+ * they come, and what they cost. Gaps and pores are measured here anew, by all pairs and by random
+ * points, and with standard errors from nine columns of the pack; zeta is that of Third-Order
+ * Parameters.
  *
  *     BenchmarkNeighbours [contact weight, pore weight, spheres, iterations, seeds, target
- * objective]
+ * objective, spectrum weight]
  */
 #include "ExamplePack.h"
 #include "ruc/Reconstruction/GradientSearch.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
+#include "ruc/Statistics/ThirdOrder/ThirdOrderOfSpheres.h"
 
 #include <algorithm>
 #include <cmath>
@@ -187,6 +189,38 @@ void Print(const char* what, const std::vector<double>& values)
   std::printf("\n");
   std::fflush(stdout);
 }
+
+void PrintZeta(const char* what, const ruc::SpherePack& pack, const ruc::Window& window)
+{
+  ruc::Communicator alone;
+  ruc::ThirdOrderSettings settings;
+  settings.WithEta = false;
+  const ruc::ThirdOrderFigure zeta =
+    ruc::MeasureThirdOrder(ruc::SharePack(pack, window), settings, alone).Spheres.Zeta;
+  std::printf("zeta of the %s: %.4f +- %.4f\n", what, zeta.Value, zeta.Error);
+}
+
+// What an evaluation of the spectrum takes
+void PrintTerm(const ruc::CellContents& contents, const ruc::PackSpectrum& spectrum)
+{
+  constexpr int times = 20;
+  ruc::Communicator alone;
+  ruc::SpectrumTerm term(contents, spectrum, alone);
+  const std::vector<double> centres = ruc::RandomCentres(contents, 1, 0);
+  std::vector<double> gradient(centres.size(), 0.0);
+  double seconds[2];
+  for (bool withGradient : { false, true })
+  {
+    const double before = CpuSeconds();
+    for (int n = 0; n < times; ++n)
+    {
+      term.Evaluate(centres.data(), 1.0, withGradient ? gradient.data() : nullptr);
+    }
+    seconds[withGradient] = (CpuSeconds() - before) / times;
+  }
+  std::printf("An evaluation of the spectrum: %.1f ms, with gradient %.1f ms of CPU\n",
+    1e3 * seconds[0], 1e3 * seconds[1]);
+}
 }
 
 int main(int argc, char** argv)
@@ -205,6 +239,17 @@ int main(int argc, char** argv)
   const double began = CpuSeconds();
   settings.Neighbours.Pack = ruc::MeasureNeighbourSums(ruc::SharePack(pack, Block), alone);
   std::printf("Near neighbours and pores of the pack: %.2f s of CPU\n", CpuSeconds() - began);
+  if (argument(7, 0.0) > 0.0)
+  {
+    const double before = CpuSeconds();
+    settings.Neighbours.SpectrumWeight = argument(7, 0.0);
+    settings.Neighbours.Spectrum =
+      ruc::MeasureSpectrum(ruc::SharePack(pack, Block), "SpectrumWeight", alone);
+    std::printf("Spectrum of the pack, to %.0f um: %.2f s of CPU\n",
+      settings.Neighbours.Spectrum.CutOff, CpuSeconds() - before);
+    PrintTerm(contents, settings.Neighbours.Spectrum);
+  }
+  PrintZeta("pack", pack, Block);
   std::printf("Neighbours of a sphere with a gap of at most 0.5, 1, 2, 5, 10, 20, 40 %%; P(pore > "
               "10), P(pore > 12 um); median least gap, um\n");
   const std::vector<double> whole = Measure(pack, Block, -1);
@@ -234,10 +279,12 @@ int main(int argc, char** argv)
     const double seconds = CpuSeconds() - start;
     Print("cell", Measure(cell.Pack, cell.Box, -1));
     const ruc::NeighbourMisfits& misfits = cell.Convergence.back().Misfits;
-    std::printf("seed %d: F2 %.4f after %d iterations, %s, overlap %g %%, misfits %.3g %.3g %.3g, "
-                "%.1f s of CPU\n",
+    std::printf(
+      "seed %d: F2 %.4f after %d iterations, %s, overlap %g %%, misfits %.3g %.3g %.3g %.3g, "
+      "%.1f s of CPU\n",
       seed, cell.Objective, cell.Iterations, ruc::NameOf(cell.EndedBy), cell.Overlap.Percent,
-      misfits.Gaps, misfits.Nearest, misfits.Pores, seconds);
+      misfits.Gaps, misfits.Nearest, misfits.Pores, misfits.Spectrum, seconds);
+    PrintZeta("cell", cell.Pack, cell.Box);
   }
   return 0;
 }

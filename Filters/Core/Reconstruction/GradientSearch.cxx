@@ -115,6 +115,11 @@ public:
         endedBy = EndReason::Stopped; // if only while the last overlap was removed
       }
     }
+    const NeighbourTarget& neighbours = this->Settings.Neighbours;
+    if (neighbours.HasSpectrum() && this->Best.Overlap.IsNone())
+    {
+      this->Best.Zeta = MeasureZeta(this->Best.Pack, this->Best.Box, neighbours.Spectrum);
+    }
     this->Best.StartObjective = this->State.StartObjective;
     this->Best.Convergence = this->State.Convergence;
     this->Best.EndedBy = endedBy;
@@ -479,13 +484,13 @@ Estimate EstimateGradientSearch(
   const double evaluation = EstimateEvaluation(cell, lags, true);
   Estimate estimate{ cell.Spheres * SecondsPerStartedSphere + (first + 1.0) * evaluation,
     (cell.Spheres * 1000.0 + EstimateObjectiveBytes(cell, lags)) / BytesOfMegabyte, 0.0 };
-  if (neighbours.ContactWeight + neighbours.PoreWeight > 0.0)
+  if (neighbours.IsWanted())
   {
-    const Estimate pores = EstimatePoreTerm(cell.Spheres);
-    const bool withPores = neighbours.PoreWeight > 0.0;
-    estimate.Seconds +=
-      LatticesOfSearch * std::ceil(0.5 * first) * (evaluation + (withPores ? pores.Seconds : 0.0));
-    estimate.MegabytesOfRank += withPores ? pores.MegabytesOfRank : 0.0;
+    Estimate terms;
+    terms += neighbours.PoreWeight > 0.0 ? EstimatePoreTerm(cell.Spheres) : Estimate();
+    terms += neighbours.SpectrumWeight > 0.0 ? EstimateSpectrumTerm(cell) : Estimate();
+    estimate.Seconds += LatticesOfSearch * std::ceil(0.5 * first) * (evaluation + terms.Seconds);
+    estimate.MegabytesOfRank += terms.MegabytesOfRank;
   }
   estimate += EstimateDenseStart(cell);
   return estimate;

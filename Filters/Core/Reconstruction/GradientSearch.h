@@ -24,7 +24,7 @@ namespace ruc
 struct GradientSearchSettings : SearchSettings
 {
   int MaximumIterations = 1000; // 0 gives the start with its overlap removed
-  /** The near neighbours and pores of the pack; without a pack they are empty. */
+  /** The near neighbours, pores and spectrum of the pack; without a pack they are empty. */
   NeighbourTarget Neighbours;
 
   template <class Self, class Visit>
@@ -33,6 +33,7 @@ struct GradientSearchSettings : SearchSettings
     SearchSettings::VisitSearch(self, visit);
     visit("ContactWeight", self.Neighbours.ContactWeight, Range::AtLeast(0));
     visit("PoreWeight", self.Neighbours.PoreWeight, Range::AtLeast(0));
+    visit("SpectrumWeight", self.Neighbours.SpectrumWeight, Range::AtLeast(0));
   }
   template <class Self, class Visit>
   static void VisitEnd(Self& self, Visit&& visit)
@@ -64,8 +65,8 @@ double MostIterations(const GradientSearchSettings& settings);
  * target (13), without overlap (14). It begins with random centres, pushes their overlap out, runs
  * L-BFGS on F2 with an overlap penalty, and removes the last overlap exactly.
  *
- * With GradientSearchSettings::Neighbours the search then goes on with F2, near neighbours and
- * pores together (SearchObjective), three times for half as many iterations, each with another
+ * With GradientSearchSettings::Neighbours the search then goes on with F2 and these terms
+ * together (SearchObjective), three times for half as many iterations, each with another
  * lattice of the pores; the best cell is that with the least sum. F0 is half of F2 as the first
  * descent left it. The target objective ends the first descent, and then the search once all
  * misfits are at most 1 as well.

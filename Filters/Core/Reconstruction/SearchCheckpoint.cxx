@@ -12,7 +12,7 @@ namespace ruc
 namespace
 {
 constexpr std::string_view Format = "RUCSTATE";
-constexpr std::uint32_t Version = 4;
+constexpr std::uint32_t Version = 5;
 constexpr const char* What = "checkpoint";
 constexpr std::uint64_t GradientMethod = 1, PopulationMethod = 2;
 
@@ -72,7 +72,8 @@ SearchKey MakeKey(const CellContents& contents, const TwoPointProbability& targe
   const NeighbourTarget& neighbours = settings.Neighbours;
   return { GradientMethod, FingerprintOf(contents),
     neighbours.Empty() ? FingerprintOf(target)
-                       : FingerprintOfBytes(ToBytes(target) + ToBytes(neighbours.Pack)),
+                       : FingerprintOfBytes(ToBytes(target) + ToBytes(neighbours.Pack) +
+                           ToBytes(neighbours.Spectrum)),
     FingerprintOfSettings(settings) };
 }
 

@@ -16,7 +16,7 @@ namespace ruc
  * @file
  * The state of a search as bytes, from which it is resumed (SearchByGradient, SearchByPopulation).
  *
- * The format has version 4, with all numbers in the byte order of the machine: the text "RUCSTATE";
+ * The format has version 5, with all numbers in the byte order of the machine: the text "RUCSTATE";
  * the version (32 bits); the length of what follows without the checksum (64 bits); the four
  * fingerprints (64 bits each); the stops and the state as Base/Bytes.h writes them; and the
  * FNV-1a-64 checksum of everything before (64 bits).
@@ -31,7 +31,7 @@ struct SearchKey
 {
   std::uint64_t Method = 0;   // gradient or population
   std::uint64_t Contents = 0; // of the cell
-  std::uint64_t Target = 0;   // S_rs and lags, near neighbours and pores
+  std::uint64_t Target = 0;   // S_rs and lags, near neighbours, pores and spectrum
   std::uint64_t Settings = 0; // with the seed
 
   template <class Self>

@@ -24,6 +24,10 @@ SearchObjective::SearchObjective(const CellContents& contents, const TwoPointPro
   {
     this->Pores.emplace(contents, neighbours.Pack, communicator);
   }
+  if (neighbours.HasSpectrum())
+  {
+    this->Spectrum.emplace(contents, neighbours.Spectrum, communicator);
+  }
 }
 
 void SearchObjective::BeginNeighbours(double reference)
@@ -64,7 +68,8 @@ double SearchObjective::ValueOf(double twoPoint, const NeighbourMisfits& misfits
   return twoPoint +
     this->Reference *
     (this->Neighbours.ContactWeight * (misfits.Gaps + misfits.Nearest) +
-      this->Neighbours.PoreWeight * misfits.Pores);
+      this->Neighbours.PoreWeight * misfits.Pores +
+      this->Neighbours.SpectrumWeight * misfits.Spectrum);
 }
 
 NeighbourMisfits SearchObjective::AddNeighbours(const double* centres, double* gradient)
@@ -81,6 +86,11 @@ NeighbourMisfits SearchObjective::AddNeighbours(const double* centres, double* g
   {
     misfits.Pores =
       this->Pores->Evaluate(centres, this->Reference * this->Neighbours.PoreWeight, gradient);
+  }
+  if (this->Spectrum)
+  {
+    misfits.Spectrum = this->Spectrum->Evaluate(
+      centres, this->Reference * this->Neighbours.SpectrumWeight, gradient);
   }
   return misfits;
 }

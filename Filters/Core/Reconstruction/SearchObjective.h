@@ -7,24 +7,34 @@
 #include "ruc/Reconstruction/ContactTerm.h"
 #include "ruc/Reconstruction/NeighbourMisfits.h"
 #include "ruc/Reconstruction/PoreTerm.h"
+#include "ruc/Reconstruction/SpectrumTerm.h"
 
 #include <cstdint>
 #include <optional>
 
 namespace ruc
 {
-/** What near neighbours and pores weigh, and those of the pack. */
+/** What near neighbours, pores and the spectrum weigh, and those of the pack. */
 struct NeighbourTarget
 {
-  double ContactWeight = 0.0, PoreWeight = 0.0; // >= 0; 0 is as if there was no such term
+  // >= 0; 0 is as if there was no such term
+  double ContactWeight = 0.0, PoreWeight = 0.0, SpectrumWeight = 0.0;
   NeighbourSums Pack;
+  PackSpectrum Spectrum;
+
+  /** Whether any weight is > 0, be there a pack or not. */
+  bool IsWanted() const
+  {
+    return this->ContactWeight > 0.0 || this->PoreWeight > 0.0 || this->SpectrumWeight > 0.0;
+  }
 
   bool HasContacts() const
   {
     return this->ContactWeight > 0.0 && !(this->Pack.Gaps.Empty() && this->Pack.Nearest.Empty());
   }
   bool HasPores() const { return this->PoreWeight > 0.0 && !this->Pack.Pores.Empty(); }
-  bool Empty() const { return !this->HasContacts() && !this->HasPores(); }
+  bool HasSpectrum() const { return this->SpectrumWeight > 0.0 && !this->Spectrum.Empty(); }
+  bool Empty() const { return !this->HasContacts() && !this->HasPores() && !this->HasSpectrum(); }
 };
 
 /**
@@ -34,10 +44,11 @@ struct NeighbourTarget
  *
  * From BeginNeighbours on it is
  *
- *     L = F2 + penalty or multipliers + F0 (contact weight (gaps + nearest) + pore weight pores),
+ *     L = F2 + penalty or multipliers + F0 (contact weight (gaps + nearest) + pore weight pores +
+ *         spectrum weight spectrum),
  *
- * where the misfits are those of ContactTerm and PoreTerm. The reference F0 is the F2 that one unit
- * of a misfit is worth. All ranks get the same bits.
+ * where the misfits are those of ContactTerm, PoreTerm and SpectrumTerm. The reference F0 is the F2
+ * that one unit of a misfit is worth. All ranks get the same bits.
  */
 class SearchObjective
 {
@@ -47,7 +58,7 @@ public:
     const NeighbourTarget& neighbours, bool dense, ContactState& contacts,
     Communicator& communicator);
 
-  /** Adds the terms of neighbours and pores, for a reference F0 > 0. */
+  /** Adds the terms of NeighbourTarget, for a reference F0 > 0. */
   void BeginNeighbours(double reference);
   /** Moves the lattice of the pores to its n-th place. */
   void MoveLattice(int n);
@@ -78,6 +89,7 @@ private:
   std::optional<ContactMultipliers> Contacts;
   std::optional<ContactTerm> Near;
   std::optional<PoreTerm> Pores;
+  std::optional<SpectrumTerm> Spectrum;
   double Reference = 0.0; // 0 before the terms of neighbours are added
 };
 }

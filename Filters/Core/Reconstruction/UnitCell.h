@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -35,12 +36,14 @@ struct UnitCell
    * best of the first.
    */
   std::vector<SearchState> Convergence;
+  /** Zeta of `Pack` (MeasureZeta); NaN where the search has no spectrum, or the cell overlap. */
+  double Zeta = std::numeric_limits<double>::quiet_NaN();
 
   template <class Self>
   static auto Fields(Self& self)
   {
     return std::tie(self.Pack, self.Box, self.Objective, self.StartObjective, self.Overlap,
-      self.Iterations, self.EndedBy, self.Probability, self.Convergence);
+      self.Iterations, self.EndedBy, self.Probability, self.Convergence, self.Zeta);
   }
 };
 

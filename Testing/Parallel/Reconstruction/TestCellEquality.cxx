@@ -82,6 +82,18 @@ TEST_P(MethodEquality, Hybrid)
   this->ExpectSameCells(2);
 }
 
+// The other packs leave too few spheres inside
+TEST_P(MethodEquality, WithTheSpectrum)
+{
+  ExpectSame<Cell>(
+    [](Cell* f)
+    {
+      SmallCell(f);
+      f->SetMaximumIterations(20);
+      f->SetSpectrumWeight(1.0);
+    });
+}
+
 TEST(ThreadEquality, OneCell)
 {
   const int threadsBefore = omp_get_max_threads();

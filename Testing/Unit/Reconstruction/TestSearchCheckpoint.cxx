@@ -135,7 +135,7 @@ TEST(SearchCheckpoint, StartsAsTheHeaderSays)
 {
   const std::string bytes = ruc::WriteCheckpoint(SmallState(), SmallKey);
   EXPECT_EQ(bytes.substr(0, 8), "RUCSTATE");
-  EXPECT_EQ(bytes.substr(8, 4), std::string("\4\0\0\0", 4));
+  EXPECT_EQ(bytes.substr(8, 4), std::string("\5\0\0\0", 4));
   std::uint64_t length = 0, key = 0, checksum = 0;
   std::memcpy(&length, &bytes[12], 8);
   EXPECT_EQ(length, bytes.size() - 28);
@@ -215,8 +215,8 @@ TEST(SearchCheckpoint, OtherBytesAreRefused)
   EXPECT_NE(Refusal("x,y,z,radius\n1,2,3,4\n").find("no checkpoint"), std::string::npos);
   EXPECT_NE(Refusal(std::string(1000, '\0')).find("no checkpoint"), std::string::npos);
   std::string later = ruc::WriteCheckpoint(SmallState(), SmallKey);
-  later[8] = 5;
-  EXPECT_NE(Refusal(later).find("of version 5, this program reads version 4"), std::string::npos);
+  later[8] = 6;
+  EXPECT_NE(Refusal(later).find("of version 6, this program reads version 5"), std::string::npos);
 }
 
 TEST(SearchCheckpoint, OfAnotherSearchIsRefusedWithTheReason)

@@ -138,7 +138,7 @@ MultipoleSettings FindSettings(const ThirdOrderSettings& settings, const Window&
   found.Degree = settings.MaximumDegree;
   found.Sources = sources;
   found.WithFourth = settings.WithEta;
-  if (observed.IsFullyPeriodic())
+  if (settings.WithFarField && observed.IsFullyPeriodic())
   {
     const double usual = AutomaticCutOff(meanDiameter, 2.0 * largestRadius, fraction);
     found.Alpha = EwaldSharpness / std::min(found.CutOff, usual);
@@ -164,13 +164,13 @@ void CheckPack(const PackShare& share, const ThirdOrderSettings& settings, Commu
     Text("at most ", longest, ", where a centre has some ", MostNeighbours, " neighbours"),
     settings.CutOff);
   const double fraction = SphereFraction(share);
-  Require(fraction < 1.0, "The third order", "spheres that fill less than the window",
+  Require(fraction < 1.0, settings.Name, "spheres that fill less than the window",
     Text(100.0 * fraction, " %"));
   const PackOverlap overlap = MeasureOverlap(share, ranks);
-  Require(overlap.Percent <= MostOverlapPercent, "The third order",
+  Require(overlap.Percent <= MostOverlapPercent, settings.Name,
     Text("spheres that overlap by at most ", MostOverlapPercent, " % of their volume"),
     Text(overlap.Percent, " %"));
-  Require(overlap.Deepest <= DeepestOverlap, "The third order",
+  Require(overlap.Deepest <= DeepestOverlap, settings.Name,
     "pairs of spheres that overlap by at most a tenth of the sum of their radii", overlap.Deepest);
 }
 
@@ -373,7 +373,7 @@ ThirdOrderOfSpheres MeasureThirdOrder(const PackShare& share, const ThirdOrderSe
   MultipoleSums centres(share, source, found, region, layout, ranks);
   result.Centres = static_cast<std::int64_t>(centres.NumberOfCentres());
   ranks.Sum(&result.Centres, 1);
-  Require(result.Centres > 0, "The third order",
+  Require(result.Centres > 0, settings.Name,
     Text("a sphere at least CutOff, ", found.CutOff, ", from every face of the window"), "none");
   const std::vector<double> sums = centres.Sum(ranks, progress);
 

@@ -28,6 +28,9 @@ struct ThirdOrderSettings
   bool WithEta = true;
   int Blocks = 32; // about the number of blocks for the standard errors, from 2 to 1000
   int Slabs = 4;   // the number of slabs along each axis, from 1 to 100
+  // Whether the far field of a periodic box is added; without it the sums end as in a window
+  bool WithFarField = true;
+  const char* Name = "The third order"; // what requires what, where a pack is refused
 };
 
 /** The cut-off that 0 stands for. */

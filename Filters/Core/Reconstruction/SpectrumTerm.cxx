@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Reconstruction/SpectrumTerm.h"
+
+#include "ruc/Base/FixedPoint.h"
+#include "ruc/Particles/CellList.h"
+#include "ruc/Particles/SphereOverlap.h"
+#include "ruc/Statistics/PairSums/PairHistogram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ruc
+{
+namespace
+{
+constexpr int Degrees = HighestOfSpectrum - LowestOfSpectrum + 1;
+
+// Spectra and forces of one centre, its radius being 1, are some hundreds at most where spheres
+// overlap as little as in a search
+constexpr double Most = 4096.0;
+constexpr double SpectrumScale = 274877906944.0; // 2^38
+
+MultipoleSettings FindSettings(const PackSpectrum& pack)
+{
+  MultipoleSettings settings;
+  settings.CutOff = pack.CutOff;
+  settings.Degree = HighestOfSpectrum;
+  settings.WithFourth = false;
+  return settings;
+}
+
+double MeanRadius(const CellFigures& cell)
+{
+  double cube = 0.0;
+  for (std::size_t m = 0; m < cell.Share.size() && m < cell.Radius.size(); ++m)
+  {
+    cube += cell.Share[m] * std::pow(cell.Radius[m], 3);
+  }
+  return cube > 0.0 ? std::cbrt(cube) : cell.LargestRadius;
+}
+}
+
+// Who is around whom in a cell
+class SpectrumTerm::Surroundings
+{
+public:
+  Surroundings(const CellContents& contents, const double* centres, double cutOff)
+    : Pack(contents.MakePack(centres))
+    , Cells(Pack, contents.MakeBox(), cutOff)
+  {
+  }
+
+  // The sphere at a sorted place
+  std::size_t SphereOf(std::size_t i) const { return this->Cells.Index[i]; }
+  std::int64_t Size() const { return static_cast<std::int64_t>(this->Cells.Size()); }
+  std::int64_t MostNeighbours() const { return this->Cells.MostNeighbours(); }
+  double RadiusOf(std::size_t sphere) const { return this->Pack.Radius[sphere]; }
+
+  // Collects the spheres around the centre at a sorted place, and which they are
+  void Gather(std::size_t i, LocalMultipoles::Neighbours& around,
+    std::vector<std::uint32_t>* spheres = nullptr) const
+  {
+    const CellList& cells = this->Cells;
+    thread_local std::vector<CellList::Range> ranges;
+    cells.FindRangesAround({ cells.X[i], cells.Y[i], cells.Z[i] }, 0, ranges);
+    around.Start(this->RadiusOf(this->SphereOf(i)));
+    if (spheres)
+    {
+      spheres->clear();
+    }
+    for (const CellList::Range& range : ranges)
+    {
+      const double reach2 = range.Reach * range.Reach;
+      for (std::size_t j = range.Begin; j < range.End; ++j)
+      {
+        const double dx = cells.X[j] - range.X, dy = cells.Y[j] - range.Y,
+                     dz = cells.Z[j] - range.Z;
+        const double d2 = dx * dx + dy * dy + dz * dz;
+        if (d2 < reach2 && d2 > 0.0) // not the centre itself
+        {
+          around.Add(dx, dy, dz, d2, this->RadiusOf(cells.Index[j]), 0);
+          if (spheres)
+          {
+            spheres->push_back(cells.Index[j]);
+          }
+        }
+      }
+    }
+  }
+
+private:
+  SpherePack Pack;
+  CellList Cells;
+};
+
+namespace
+{
+// Runs pass(i, own) for every sorted place of this rank on all threads, and returns the sums of
+// what they add to `own`, over threads and ranks
+template <class MakePass>
+std::vector<std::int64_t> SumOverCentres(
+  std::int64_t centres, std::size_t count, Communicator& ranks, MakePass&& makePass)
+{
+  std::vector<std::int64_t> total(count, 0);
+#pragma omp parallel
+  {
+    std::vector<std::int64_t> own(count, 0);
+    auto pass = makePass(own.data());
+#pragma omp for schedule(dynamic, 8) nowait
+    for (std::int64_t i = ranks.Rank(); i < centres; i += ranks.Size())
+    {
+      pass(static_cast<std::size_t>(i));
+    }
+#pragma omp critical
+    std::transform(own.begin(), own.end(), total.begin(), total.begin(), std::plus<>());
+  }
+  ranks.Sum(total.data(), total.size());
+  return total;
+}
+}
+
+SpectrumTerm::SpectrumTerm(
+  const CellContents& contents, const PackSpectrum& pack, Communicator& communicator)
+  : Contents(contents)
+  , Pack(pack)
+  , Ranks(communicator)
+  , Multipoles(FindSettings(pack))
+  , Products(Multipoles)
+{
+  double cubes = 0.0;
+  for (double radius : contents.Radii())
+  {
+    this->Share.push_back(radius * radius * radius);
+    cubes += this->Share.back();
+  }
+  for (double& share : this->Share)
+  {
+    share /= cubes * 2.0 * (1.0 - contents.Fraction());
+  }
+}
+
+double SpectrumTerm::Evaluate(const double* centres, double factor, double* gradient)
+{
+  const Surroundings cell(this->Contents, centres, this->Pack.CutOff);
+  const std::vector<double> values = this->FindSpectrum(cell);
+  double misfit = 0.0;
+  std::vector<double> slopes;
+  for (int l = 0; l < Degrees; ++l)
+  {
+    const double z = (values[l] - this->Pack.Value[l]) / this->Pack.Error[l];
+    misfit += z * z / Degrees;
+    slopes.push_back(2.0 * z / (this->Pack.Error[l] * Degrees));
+  }
+  if (gradient)
+  {
+    this->AddGradient(cell, slopes, factor, gradient);
+  }
+  return misfit;
+}
+
+std::vector<double> SpectrumTerm::FindSpectrum(const Surroundings& cell)
+{
+  const std::size_t size = this->Multipoles.Size();
+  const double largest = *std::max_element(this->Share.begin(), this->Share.end());
+  this->Sums.resize(size * cell.Size());
+  const std::vector<std::int64_t> limbs = SumOverCentres(cell.Size(), 2 * Degrees, this->Ranks,
+    [&](std::int64_t* own)
+    {
+      return [&, own, around = LocalMultipoles::Neighbours(this->Multipoles.GetSettings())](
+               std::size_t i) mutable
+      {
+        cell.Gather(i, around);
+        double* const sums = &this->Sums[size * i];
+        this->Multipoles.Sum(around, sums);
+        double spectrum[Degrees];
+        this->Products.Second(sums, 0, 0, spectrum);
+        const double weight = this->Share[cell.SphereOf(i)] / largest;
+        for (int l = 0; l < Degrees; ++l)
+        {
+          const double value = std::clamp(weight * spectrum[l], -Most, Most);
+          AddWide(RoundToFixedPoint(value * SpectrumScale), own + 2 * l);
+        }
+      };
+    });
+  std::vector<double> values;
+  for (int l = 0; l < Degrees; ++l)
+  {
+    values.push_back(WideValue(&limbs[2 * l]) / SpectrumScale * largest);
+  }
+  return values;
+}
+
+void SpectrumTerm::AddGradient(
+  const Surroundings& cell, const std::vector<double>& slopes, double factor, double* gradient)
+{
+  double steepest = 0.0;
+  for (double slope : slopes)
+  {
+    steepest = std::max(steepest, std::abs(slope));
+  }
+  if (steepest == 0.0)
+  {
+    return;
+  }
+  const std::size_t size = this->Multipoles.Size();
+  const double largest = *std::max_element(this->Share.begin(), this->Share.end());
+  const double unit = *std::max_element(this->Contents.Radius.begin(), this->Contents.Radius.end());
+  // A sphere gets one force from each centre around it, and as its own the opposite of all others
+  const double scale = PairHistogram::FixedPointScale(1, 2 * cell.MostNeighbours(), Most);
+  const std::vector<std::int64_t> forces = SumOverCentres(cell.Size(), 3 * cell.Size(), this->Ranks,
+    [&](std::int64_t* own)
+    {
+      return [&, own, around = LocalMultipoles::Neighbours(this->Multipoles.GetSettings()),
+               spheres = std::vector<std::uint32_t>(), lambda = std::vector<double>(size),
+               pushes = std::vector<double>()](std::size_t i) mutable
+      {
+        cell.Gather(i, around, &spheres);
+        const std::size_t sphere = cell.SphereOf(i);
+        double mu[Degrees];
+        for (int l = 0; l < Degrees; ++l)
+        {
+          mu[l] = slopes[l] / steepest * (this->Share[sphere] / largest) * unit;
+        }
+        std::fill(lambda.begin(), lambda.end(), 0.0);
+        this->Products.AddGradient(&this->Sums[size * i], 0, 0, mu, lambda.data());
+        pushes.resize(3 * spheres.size());
+        this->Multipoles.FindForces(around, lambda.data(), pushes.data());
+        for (std::size_t n = 0; n < pushes.size(); ++n)
+        {
+          const std::int64_t push = RoundToFixedPoint(std::clamp(pushes[n], -Most, Most) * scale);
+          own[3 * spheres[n / 3] + n % 3] += push;
+          own[3 * sphere + n % 3] -= push;
+        }
+      };
+    });
+  const double back = factor * steepest * largest / unit / scale;
+  for (std::size_t n = 0; n < forces.size(); ++n)
+  {
+    gradient[n] += back * static_cast<double>(forces[n]);
+  }
+}
+
+Estimate EstimateSpectrumTerm(const CellFigures& cell)
+{
+  constexpr double secondsOfPair = 1e-7;
+  const double radius = MeanRadius(cell);
+  const double cutOff =
+    SpectrumCutOff(2.0 * radius, 2.0 * cell.LargestRadius, cell.Density * SphereVolume(radius));
+  const double pairs = cell.Spheres * cell.Density * SphereVolume(cutOff);
+  constexpr double bytesOfSphere = 2.0 * HarmonicCount(HighestOfSpectrum) * sizeof(double);
+  return { pairs * secondsOfPair, cell.Spheres * bytesOfSphere / BytesOfMegabyte, 0.0 };
+}
+}
