@@ -123,3 +123,61 @@ std::string ThreePointTables::FillThirdOrder(
   }
   return unknown;
 }
+
+void ThreePointTables::FillMultipoles(
+  const ruc::NeighbourhoodMultipoles& multipoles, bool isFirstRank, vtkTable* table)
+{
+  std::vector<long long> classOfMode, centres(multipoles.Centres.begin(), multipoles.Centres.end());
+  for (int ofMode : multipoles.ClassOfMode)
+  {
+    classOfMode.push_back(ofMode + 1);
+  }
+  PackData::AddField(table, "ClassOfMode", classOfMode);
+  PackData::AddField(table, "NumberOfCentres", centres);
+  if (!isFirstRank)
+  {
+    return;
+  }
+  const ruc::ShellSettings& shells = multipoles.Shells;
+  std::vector<long long> whole[4]; // r, s, q, l
+  std::vector<double> first, second;
+  const auto addRows = [&](int r, int s, int q, int l)
+  {
+    for (double one : shells.Distances)
+    {
+      for (double other : shells.Distances)
+      {
+        const int values[] = { r + 1, s + 1, q + 1, l };
+        for (int column = 0; column < 4; ++column)
+        {
+          whole[column].push_back(values[column]);
+        }
+        first.push_back(one);
+        second.push_back(other);
+      }
+    }
+  };
+  // In the order of NeighbourhoodMultipoles::PlaceOf
+  for (int r = 0; r < shells.Classes; ++r)
+  {
+    for (int s = 0; s < shells.Classes; ++s)
+    {
+      for (int q = s; q < shells.Classes; ++q)
+      {
+        for (int l = 0; l <= shells.Degree; ++l)
+        {
+          addRows(r, s, q, l);
+        }
+      }
+    }
+  }
+  const char* const names[] = { "r", "s", "q", "l" };
+  for (int column = 0; column < 4; ++column)
+  {
+    PackData::AddColumn(table, names[column], whole[column]);
+  }
+  PackData::AddColumn(table, "Distance1", first);
+  PackData::AddColumn(table, "Distance2", second);
+  PackData::AddColumn(table, "T", multipoles.Value);
+  PackData::AddColumn(table, "T_error", multipoles.Error);
+}

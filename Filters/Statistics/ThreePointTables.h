@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ruc/Statistics/Results/TwoPointProbability.h"
+#include "ruc/Statistics/ThirdOrder/NeighbourhoodMultipoles.h"
 #include "ruc/Statistics/ThirdOrder/ThreePointProbability.h"
 
 class vtkTable;
@@ -15,4 +16,8 @@ void FillLimits(const ruc::ThreePointProbability& probability,
 
 /** Returns the names of the phases whose parameters are not known, as "matrix, mode 2". */
 std::string FillThirdOrder(const ruc::ThreePointProbability& probability, vtkTable* table);
+
+/** Field data on every rank, rows on the first one. */
+void FillMultipoles(
+  const ruc::NeighbourhoodMultipoles& multipoles, bool isFirstRank, vtkTable* table);
 }

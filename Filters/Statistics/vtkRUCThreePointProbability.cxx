@@ -10,11 +10,13 @@
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
 #include "ThreePointTables.h"
+#include "ruc/Base/Require.h"
 #include "ruc/Base/Text.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
 #include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
 #include "ruc/Statistics/Sampling/FanSampling.h"
+#include "ruc/Statistics/ThirdOrder/NeighbourhoodMultipoles.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -40,13 +42,33 @@ constexpr int LinesForLimits = 20000;
 
 vtkRUCThreePointProbability::vtkRUCThreePointProbability()
 {
-  this->SetNumberOfOutputPorts(4);
+  this->SetNumberOfOutputPorts(5);
 }
 
 int vtkRUCThreePointProbability::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == PROBABILITIES ? "vtkImageData" : "vtkTable");
   return 1;
+}
+
+void vtkRUCThreePointProbability::ClearMultipoleDistances()
+{
+  this->MultipoleDistances.clear();
+  this->Modified();
+}
+
+void vtkRUCThreePointProbability::SetMultipoleDistance(int i, double distance)
+{
+  constexpr int most = 1000; // the core refuses fewer
+  if (i < 0 || i >= most)
+  {
+    vtkErrorMacro(<< "MultipoleDistances has places 0 to " << most - 1 << ", got " << i);
+    return;
+  }
+  this->MultipoleDistances.resize(
+    std::max(this->MultipoleDistances.size(), static_cast<std::size_t>(i) + 1));
+  this->MultipoleDistances[i] = distance;
+  this->Modified();
 }
 
 int vtkRUCThreePointProbability::RequestInformation(
@@ -138,6 +160,10 @@ std::optional<ruc::Estimate> vtkRUCThreePointProbability::MakeEstimate()
   estimate += ruc::EstimatePairSum(*pack, grid.Lags);
   estimate += ruc::EstimateFans(*pack, grid, ruc::ParseTriples(this->Phases, pack->Modes).size(),
     this->StandardErrors, this->NumberOfThrows);
+  if (this->Multipoles)
+  {
+    estimate += ruc::EstimateNeighbourhoods(*pack, this->FindMultipoleSettings());
+  }
   return estimate;
 }
 
@@ -153,6 +179,7 @@ void vtkRUCThreePointProbability::Execute(
   const std::unique_ptr<ruc::SamplingRegion> region = this->MakeRegion(pack, ranks);
   const ruc::ThreePointGrid grid = this->FindGrid(share, *region);
   double memory = this->CheckWork(*region, grid, triples.size(), ranks);
+  this->FillMultipoles(share, outputs, ranks, report);
   const ruc::ThreePointProbability probability =
     this->Sample(share, *region, grid, triples, memory, ranks, report);
 
@@ -290,6 +317,33 @@ void vtkRUCThreePointProbability::FillImage(const ruc::ThreePointProbability& pr
     ->Set(vtkDataObject::SPACING(), spacing, spacing, step);
 }
 
+ruc::NeighbourhoodSettings vtkRUCThreePointProbability::FindMultipoleSettings() const
+{
+  ruc::NeighbourhoodSettings settings;
+  settings.Distances = this->MultipoleDistances;
+  settings.Degree = this->MultipoleDegree;
+  settings.Classes = this->MultipoleClasses;
+  return settings;
+}
+
+void vtkRUCThreePointProbability::FillMultipoles(const ruc::PackShare& share,
+  vtkInformationVector* outputs, RankCommunicator& ranks, ProgressReport& report) const
+{
+  if (!this->Multipoles)
+  {
+    return;
+  }
+  ruc::Require(!this->HasMask(), "Multipoles", "a pack without a mask", "one");
+  if (ranks.Rank() == 0)
+  {
+    report.Update(0.0, "multipoles");
+  }
+  const ruc::NeighbourhoodMultipoles found =
+    ruc::MeasureNeighbourhoods(share, this->FindMultipoleSettings(), ranks);
+  ThreePointTables::FillMultipoles(
+    found, ranks.Rank() == 0, vtkTable::GetData(outputs, MULTIPOLES));
+}
+
 void vtkRUCThreePointProbability::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -299,4 +353,13 @@ void vtkRUCThreePointProbability::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "NumberOfThrows: " << this->NumberOfThrows << "\n";
   os << indent << "StandardErrors: " << this->StandardErrors << "\n";
+  os << indent << "Multipoles: " << this->Multipoles << "\n";
+  os << indent << "MultipoleClasses: " << this->MultipoleClasses << "\n";
+  os << indent << "MultipoleDegree: " << this->MultipoleDegree << "\n";
+  os << indent << "MultipoleDistances:";
+  for (double distance : this->MultipoleDistances)
+  {
+    os << " " << distance;
+  }
+  os << "\n";
 }

@@ -33,6 +33,14 @@
  * (Core/Statistics/ThirdOrder/ThirdOrderParameters.h): `Phase` (m, and all but m),
  * `VolumeFraction`, `zeta`, `eta` and, with StandardErrors, `zeta_error` and `eta_error`.
  *
+ * Output 4, if Multipoles is on, has the three-point functions around centres of spheres that do
+ * not overlap, without sampling (Core/Statistics/ThirdOrder/NeighbourhoodMultipoles.h): classes
+ * `r`, `s`
+ * <= `q` from 1, degree `l`, `Distance1`, `Distance2` from the surface of the sphere in the middle,
+ * `T` and `T_error`. The sum over l of T P_l(cos theta) is the probability that two points at these
+ * distances from a sphere of class r, and at the angle theta around its centre, lie in spheres of
+ * the classes s and q. Field data `ClassOfMode` and `NumberOfCentres` (of each class).
+ *
  * The two-point functions of the limits are those of the exact pair sum, or, where spheres overlap
  * and with a mask, of Chord Sampling of the same region with 20 000 lines. Field data `LimitMethod`
  * says which. Equation 10 is that of Lee et al., Phys. Rev. E 80, 061301 (2009).
@@ -51,6 +59,7 @@ namespace ruc
 {
 struct FanSettings;
 struct LagGrid;
+struct NeighbourhoodSettings;
 struct PackShare;
 struct PhaseTriple;
 struct ThreePointGrid;
@@ -70,7 +79,8 @@ public:
     PROBABILITIES = 0,
     LIMITS = 1,
     CHECKS = 2,
-    THIRD_ORDER = 3
+    THIRD_ORDER = 3,
+    MULTIPOLES = 4
   };
 
   ///@{
@@ -115,6 +125,32 @@ public:
   vtkGetMacro(StandardErrors, bool);
   vtkBooleanMacro(StandardErrors, bool);
   ///@}
+  ///@{
+  /** Whether output 4 is filled. It takes spheres that do not overlap, and no mask. Default: off.
+   */
+  vtkSetMacro(Multipoles, bool);
+  vtkGetMacro(Multipoles, bool);
+  vtkBooleanMacro(Multipoles, bool);
+  ///@}
+  ///@{
+  /**
+   * The number of classes of output 4, 1 to 4: modes are put into at most so many, of about equal
+   * volume, the smallest spheres first. Default: 1.
+   */
+  vtkSetMacro(MultipoleClasses, int);
+  vtkGetMacro(MultipoleClasses, int);
+  ///@}
+  ///@{
+  /** The highest degree l of output 4, 0 to 13. Default: 8. */
+  vtkSetMacro(MultipoleDegree, int);
+  vtkGetMacro(MultipoleDegree, int);
+  ///@}
+  /**
+   * The distances of output 4, at most 32, > 0, ascending. Default: none, which stands for twelve
+   * from 0.04 to 1.44 mean diameters.
+   */
+  void ClearMultipoleDistances();
+  void SetMultipoleDistance(int i, double distance);
 
   /**
    * What a rank would use, in megabytes of 10^6 bytes, with the properties as they are, in a region
@@ -164,6 +200,9 @@ private:
     ProgressReport& report) const;
   void FillImage(const ruc::ThreePointProbability& probability, vtkInformationVector* outputs,
     const RankCommunicator& ranks) const;
+  ruc::NeighbourhoodSettings FindMultipoleSettings() const;
+  void FillMultipoles(const ruc::PackShare& share, vtkInformationVector* outputs,
+    RankCommunicator& ranks, ProgressReport& report) const;
 
   std::string Phases = "m m m";
   double MaximumLag = 0.0;
@@ -171,6 +210,10 @@ private:
   int NumberOfDirections = 20;
   int NumberOfThrows = 50000;
   bool StandardErrors = false;
+  bool Multipoles = false;
+  int MultipoleClasses = 1;
+  int MultipoleDegree = 8;
+  std::vector<double> MultipoleDistances;
 };
 
 #endif

@@ -67,7 +67,7 @@ def properties_and_outputs():
     assert max(abs(a - b) for a, b in zip(info.GetBounds(), (0, LAG, 0, LAG, 0, 180))) < 1e-12, info.GetBounds()
     arrays = [image.GetPointData().GetArrayName(i) for i in range(image.GetPointData().GetNumberOfArrays())]
     assert arrays == ['S_1_2_2', 'S_1_2_2_error', 'S_m_1_2', 'S_m_1_2_error', 'S_m_m_m', 'S_m_m_m_error'], arrays
-    for port in range(4):
+    for port in range(5):
         data = fetch(source, port)
         expected = {'Method': 'Fan Sampling', 'LimitMethod': 'Exact Pair Sum', 'Phases': '1 2 2; m 1 2; m m m', 'NumberOfLags': LAGS,
                     'MaximumLag': LAG, 'NumberOfDirections': RAYS, 'NumberOfThrows': THROWS, 'Seed': 7, 'LengthUnit': 'mm', 'Mask': 0,
@@ -110,6 +110,15 @@ def properties_and_outputs():
     swapped = points(source)
     assert all(swapped[j, i, t]['S_m_2_1'] == values[i, j, t]['S_m_1_2'] for i, j, t in values)
     assert fetch(source, 3).GetNumberOfRows() == 0  # there is no triple of one phase
+    # Two classes, of the modes of the smaller and of the larger spheres
+    assert fetch(source, 4).GetNumberOfRows() == 0
+    source.Multipoles, source.MultipoleClasses, source.MultipoleDegree, source.MultipoleDistances = 1, 2, 1, [0.3, 0.6, 0.9]
+    multipoles = columns(source, 4)
+    assert list(multipoles) == ['r', 's', 'q', 'l', 'Distance1', 'Distance2', 'T', 'T_error'], list(multipoles)
+    assert len(multipoles['T']) == 2 * 3 * 2 * 9 and list(zip(*(multipoles[c] for c in 'rsql')))[17::18] == [
+        (r, s, q, 1) for r in (1, 2) for s, q in ((1, 1), (1, 2), (2, 2))]
+    assert sorted(field(fetch(source, 4), 'ClassOfMode')) == [1, 2] and all(error > 0.0 for error in multipoles['T_error'])
+    remember('multipoles', multipoles['T'] + multipoles['T_error'])
     source.SMProxy.UpdatePropertyInformation()
     estimate = source.GetProperty('EstimatedMemory').GetData()
     assert abs(estimate - field(fetch(source), 'EstimatedMemory')) <= 0.5 * estimate, estimate

@@ -174,7 +174,7 @@ TEST_P(ProbabilityEquality, RadialDistribution)
 
 TEST_P(ProbabilityEquality, ThreePoint)
 {
-  ExpectSame<ThreePoint>(WithErrors);
+  ExpectSame<ThreePoint>(WithErrors, { ThreePoint::MULTIPOLES });
 }
 
 TEST_P(ProbabilityEquality, ThreePointWithoutErrors)
@@ -186,6 +186,21 @@ TEST_P(ProbabilityEquality, ThreePointWithoutErrors)
       f->SetNumberOfLags(5);
       f->SetNumberOfDirections(3);
       f->SetNumberOfThrows(50);
+    },
+    { ThreePoint::MULTIPOLES });
+}
+
+TEST_P(ProbabilityEquality, ThreePointWithMultipoles)
+{
+  ExpectSame<ThreePoint>(
+    [](auto* f)
+    {
+      WithErrors(f);
+      f->SetMultipoles(true);
+      f->SetMultipoleClasses(2);
+      f->SetMultipoleDegree(4);
+      f->SetMultipoleDistance(0, 0.1);
+      f->SetMultipoleDistance(1, 0.6);
     });
 }
 
@@ -240,5 +255,5 @@ TEST_P(MaskedEquality, ThreePoint)
       WithErrors(f);
       f->SetMaximumLag(1.0);
     },
-    {}, {}, true);
+    { ThreePoint::MULTIPOLES }, {}, true);
 }

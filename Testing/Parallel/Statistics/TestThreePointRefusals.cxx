@@ -141,6 +141,31 @@ TEST(ThreePointRefusals, MaskThatMissesThePack)
 }
 
 // One point is in a phase or is not, so that c (1 - c) is 0
+TEST(ThreePointRefusals, Multipoles)
+{
+  ExpectRefused({ "MultipoleClasses requires", "got 5" },
+    [](ThreePoint* f)
+    {
+      f->SetMultipoles(true);
+      f->SetMultipoleClasses(5);
+    });
+  ExpectRefused({ "MultipoleDistances requires distances > 0 that ascend", "got 0 after 0.5" },
+    [](ThreePoint* f)
+    {
+      f->SetMultipoles(true);
+      f->SetMultipoleDistance(0, 0.5);
+      f->SetMultipoleDistance(2, 0.7);
+    });
+  ExpectRefused(
+    { "Multipoles requires a pack without a mask" },
+    [](ThreePoint* f)
+    {
+      f->SetMultipoles(true);
+      GiveMask(f);
+    },
+    false);
+}
+
 TEST(ThreePointRefusals, ParametersThatAreNotKnownAreTold)
 {
   EXPECT_EQ(WordsOnZeta(1, 8), Rank() == 0 ? 1u : 0u);
