@@ -6,6 +6,8 @@
 #include "ruc/Statistics/Results/Phases.h"
 #include "ruc/Statistics/ThirdOrder/ThreePointLimits.h"
 
+#include "vtkTable.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>

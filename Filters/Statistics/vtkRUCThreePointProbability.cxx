@@ -179,7 +179,7 @@ void vtkRUCThreePointProbability::Execute(
   const std::unique_ptr<ruc::SamplingRegion> region = this->MakeRegion(pack, ranks);
   const ruc::ThreePointGrid grid = this->FindGrid(share, *region);
   double memory = this->CheckWork(*region, grid, triples.size(), ranks);
-  this->FillMultipoles(share, outputs, ranks, report);
+  this->FillMultipoles(share, outputs, ranks);
   const ruc::ThreePointProbability probability =
     this->Sample(share, *region, grid, triples, memory, ranks, report);
 
@@ -326,18 +326,14 @@ ruc::NeighbourhoodSettings vtkRUCThreePointProbability::FindMultipoleSettings() 
   return settings;
 }
 
-void vtkRUCThreePointProbability::FillMultipoles(const ruc::PackShare& share,
-  vtkInformationVector* outputs, RankCommunicator& ranks, ProgressReport& report) const
+void vtkRUCThreePointProbability::FillMultipoles(
+  const ruc::PackShare& share, vtkInformationVector* outputs, RankCommunicator& ranks)
 {
   if (!this->Multipoles)
   {
     return;
   }
   ruc::Require(!this->HasMask(), "Multipoles", "a pack without a mask", "one");
-  if (ranks.Rank() == 0)
-  {
-    report.Update(0.0, "multipoles");
-  }
   const ruc::NeighbourhoodMultipoles found =
     ruc::MeasureNeighbourhoods(share, this->FindMultipoleSettings(), ranks);
   ThreePointTables::FillMultipoles(

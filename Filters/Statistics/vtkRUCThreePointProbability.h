@@ -201,8 +201,8 @@ private:
   void FillImage(const ruc::ThreePointProbability& probability, vtkInformationVector* outputs,
     const RankCommunicator& ranks) const;
   ruc::NeighbourhoodSettings FindMultipoleSettings() const;
-  void FillMultipoles(const ruc::PackShare& share, vtkInformationVector* outputs,
-    RankCommunicator& ranks, ProgressReport& report) const;
+  void FillMultipoles(
+    const ruc::PackShare& share, vtkInformationVector* outputs, RankCommunicator& ranks);
 
   std::string Phases = "m m m";
   double MaximumLag = 0.0;
