@@ -321,7 +321,7 @@ TEST(SpectrumTerm, PacksThatTellNoSpectrumAreRefusedByName)
     return ruc::Window::MakeBox(made.Box.Origin, made.Box.Size, { x, y, false });
   };
   EXPECT_SAYS(
-    Measure(made.Pack, window(false, false)), "SpectrumWeight requires a sphere at least");
+    Measure(made.Pack, window(false, false)), "SpectrumWeight requires 100 spheres at least");
   EXPECT_SAYS(
     Measure(made.Pack, window(true, true)), "SpectrumWeight requires 100 spheres at least");
 }
