@@ -18,6 +18,7 @@ of_pairs = pv.ProbabilityMap(Input=modes, Resolution=3)
 chords = pv.ChordLengths(Input=modes, NumberOfLags=20, NumberOfLines=50)
 radial = pv.RadialDistribution(Input=modes, NumberOfLags=20)
 neighbours = pv.NeighbourStatistics(Input=modes)
+voids = pv.VoidDistances(Input=modes, Spacing=0.5)
 third_order = pv.ThirdOrderParameters(Input=modes)
 cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags=20, MaximumIterations=5)
 three_point = pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5, NumberOfLags=8, NumberOfThrows=100)
@@ -26,7 +27,7 @@ comparison = pv.CompareProbabilities(Input=two_point, Cell=of_cell)
 replicas = pv.PeriodicReplicas(Input=cell)
 particles = pv.ParticlesFromImage(Input=pv.LabelImage(Input=modes, Dimensions=[40, 40, 40], VolumeFractions=1), ImageArray="VolumeFraction",
                                   Residual=1)
-filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, neighbours, third_order, cell, three_point, of_cell, comparison, replicas, particles]
+filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, cell, three_point, of_cell, comparison, replicas, particles]
 
 runs = {}
 

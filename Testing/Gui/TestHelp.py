@@ -24,6 +24,7 @@ FORMULAS = {
     'filters.RadialDistribution': 'g_rs(r_k) = Σ (V / γ(d_ij)) / (N shell_k / V)',
     'filters.ThirdOrderParameters': 'I_qrs = ⅓ ⟨χ_q F_r : F_s⟩',
     'filters.ThreePointProbability': 'ζ = 9 / (2 c (1 − c)) I_2 and η = 5 ζ / 21 + 150 / (7 c (1 − c)) I_4',
+    'filters.VoidDistances': 'δ(x) = min |x − c_i| − r_i',
     'filters.UnitCellReconstruction': 'h_c³ = (4 π / 3) Σ n_i² r_i⁶ / Σ c_i n_i r_i³ (equation 12)',
     'filters.CompareProbabilities': 'E = Σ ‖S_rs pack − S_rs cell‖ / Σ (‖S_rs pack‖ + ‖S_rs cell‖) / 2 × 100 % (17)',
     'filters.LabelImage': 'W(a, b) = (R³ atan2(R z, a b) + a b z) / 3',
@@ -36,7 +37,7 @@ FORMULAS = {
     'writers.RawImageWriter': 'place i + n_x (j + n_y k) after the header',
     'writers.SpherePackWriter': 'diameter = 2 × Radius',
 }
-BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.ImageStatistics', 'filters.RadialDistribution', 'filters.ThirdOrderParameters')
+BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.ImageStatistics', 'filters.RadialDistribution', 'filters.ThirdOrderParameters', 'filters.VoidDistances')
 SOURCES = {'sources.SpherePackSource': 'Lubachevsky, Stillinger, J. Stat. Phys. 60, 561 (1990)'}
 PROPERTIES = {'filters.DirectionalProbability': ['Number Of Directions', 'Number Of Lines', 'Seed'],
               'filters.ProbabilityMap': ['Phase Pairs', 'Resolution', 'Spacing'],

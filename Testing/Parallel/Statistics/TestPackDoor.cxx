@@ -17,6 +17,7 @@
 #include "vtkRUCThreePointProbability.h"
 #include "vtkRUCTwoPointProbability.h"
 #include "vtkRUCUnitCellReconstruction.h"
+#include "vtkRUCVoidDistances.h"
 
 #include "vtkTable.h"
 #include "vtkTrivialProducer.h"
@@ -54,6 +55,10 @@ void Prepare(vtkRUCNeighbourStatistics* filter)
 {
   // Else cells of the sparse spheres near the faces of the block are not known
   filter->SetWindowMargin(3.6);
+}
+void Prepare(vtkRUCVoidDistances* filter)
+{
+  filter->SetSpacing(0.4);
 }
 void Prepare(vtkRUCThirdOrderParameters* filter)
 {
@@ -120,6 +125,7 @@ void ForEachFilter(Check&& check)
   check(static_cast<vtkRUCRadialDistribution*>(nullptr));
   check(static_cast<vtkRUCThirdOrderParameters*>(nullptr));
   check(static_cast<vtkRUCNeighbourStatistics*>(nullptr));
+  check(static_cast<vtkRUCVoidDistances*>(nullptr));
   check(static_cast<vtkRUCLabelImage*>(nullptr));
 }
 

@@ -13,6 +13,7 @@
 #include "vtkRUCThirdOrderParameters.h"
 #include "vtkRUCThreePointProbability.h"
 #include "vtkRUCTwoPointProbability.h"
+#include "vtkRUCVoidDistances.h"
 
 #include "vtkMultiBlockDataSet.h"
 #include "vtkStringArray.h"
@@ -238,6 +239,7 @@ TEST(WindowRefusals, LayerOfSpheres)
   RefusesLayer<vtkRUCThreePointProbability>("Three-Point Probability");
   RefusesLayer<vtkRUCRadialDistribution>("Radial Distribution");
   RefusesLayer<vtkRUCChordLengths>("Chord Lengths");
+  RefusesLayer<vtkRUCVoidDistances>("Void Distances");
   RefusesLayer<vtkRUCParticleModes>("Particle Modes");
   RefusesLayer<vtkRUCLabelImage>("Label Image");
   RefusesLayer<vtkRUCPointsToSpherePack>("Points To Sphere Pack");

@@ -118,8 +118,9 @@ NeighbourStatistics MeasureNeighbours(const PackShare& share, const CountedCentr
   const std::function<void(double)>& progress = {});
 
 /**
- * The margin for a window: one and a half largest diameters, more for a large MaximumGap. Within it the
- * contacts of every sphere are known, and the cell of nearly every one in a dense pack is whole.
+ * The margin for a window: one and a half largest diameters, more for a large MaximumGap. Within it
+ * the contacts of every sphere are known, and the cell of nearly every one in a dense pack is
+ * whole.
  */
 double NeighbourMargin(double largestRadius, double maximumGap);
 

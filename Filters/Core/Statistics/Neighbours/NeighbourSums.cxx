@@ -196,28 +196,11 @@ HingeSums MeasureNearest(
   return FindHingeSums(histogram, HingeSide::Below, LeastThreshold * share.MeanDiameter());
 }
 
-// The spacing of about MostPorePoints points in a box, however flat or long it is, or `finest`
-double FindPoreSpacing(const Window& box, double finest)
-{
-  double spacing = finest, excess = 1.0;
-  do
-  {
-    double points = 1.0;
-    for (double edge : box.Size)
-    {
-      points *= std::max(1.0, edge / spacing);
-    }
-    excess = points / MostPorePoints;
-    spacing *= std::max(1.0, std::cbrt(excess));
-  } while (excess > 1.01);
-  return spacing;
-}
-
 // The lattice of the points where pores are measured
 PointLattice MakePoreLattice(const PackShare& share, const Window& inside)
 {
   const Window box = inside.GetBounds();
-  const double spacing = FindPoreSpacing(box, PoreSpacing * share.MeanDiameter());
+  const double spacing = LatticeSpacing(box, PoreSpacing * share.MeanDiameter(), MostPorePoints);
   PointLattice lattice;
   lattice.Periodic = share.Observed.Periodic;
   for (int q = 0; q < 3; ++q)
@@ -297,7 +280,7 @@ Estimate EstimateNeighbourSums(const PackFigures& pack)
 {
   constexpr double secondsPerPair = 2e-7, secondsPerDistance = 3e-9, secondsPerPoint = 4e-8;
   const Window box = pack.Observed.GetBounds();
-  const double spacing = FindPoreSpacing(box, PoreSpacing * pack.MeanDiameter);
+  const double spacing = LatticeSpacing(box, PoreSpacing * pack.MeanDiameter, MostPorePoints);
   const double points = box.Volume() / (spacing * spacing * spacing);
   const double reach = 0.5 * pack.MeanDiameter + LargestPoreInDiameters * pack.MeanDiameter;
   const double distances = points * pack.Density() * SphereVolume(reach);

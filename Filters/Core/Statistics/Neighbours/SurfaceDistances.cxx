@@ -80,6 +80,22 @@ void LowerPlane(const SpherePack& pack, std::size_t s, const PointLattice& latti
 }
 }
 
+double LatticeSpacing(const Window& box, double finest, double most)
+{
+  double spacing = finest, excess = 1.0;
+  do
+  {
+    double points = 1.0;
+    for (double edge : box.Size)
+    {
+      points *= std::max(1.0, edge / spacing);
+    }
+    excess = points / most;
+    spacing *= std::max(1.0, std::cbrt(excess));
+  } while (excess > 1.01);
+  return spacing;
+}
+
 SurfaceDistances FindSurfaceDistances(
   const SpherePack& pack, const PointLattice& lattice, double most, int first, int last)
 {

@@ -31,6 +31,9 @@ struct PointLattice
   }
 };
 
+/** Returns the spacing of about `most` points in a box, however flat or long it is, or `finest`. */
+double LatticeSpacing(const Window& box, double finest, double most);
+
 /**
  * The distances from the points of a lattice to the nearest surface of a sphere. They are below 0
  * within a sphere, and have the accuracy of a float.
