@@ -86,7 +86,8 @@ void vtkRUCVoidDistances::Execute(
     AddFigures(table, "P", "P_error", found.Share);
     FillPores(found, vtkTable::GetData(outputs, PORES));
   }
-  if (ranks.Rank() == 0 && found.Beyond > ManyBeyond)
+  // A pack that does not fill its window is told of already
+  if (ranks.Rank() == 0 && found.Beyond > ManyBeyond && pack.Warnings.empty())
   {
     vtkWarningMacro(<< 100.0 * found.Beyond << " % of the matrix is MaximumDistance, "
                     << found.MaximumDistance

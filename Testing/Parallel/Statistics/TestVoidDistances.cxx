@@ -41,17 +41,20 @@ TEST_P(VoidEquality, WithinAMask)
 
 TEST(VoidRefusals, SettingsOutOfRange)
 {
-  RefusesSettings<Voids>(
-    { Name, "Spacing requires Spacing >= 0", "got -1" }, [](auto* f) { f->SetSpacing(-1.0); });
-  RefusesSettings<Voids>({ Name, "Spacing requires a lattice of at most 1e+09 points" },
-    [](auto* f) { f->SetSpacing(1e-4); });
-  RefusesSettings<Voids>({ Name, "MaximumDistance requires less than the periodic edge", "got 12" },
-    [](auto* f) { f->SetMaximumDistance(12.0); });
-  RefusesSettings<Voids>(
-    { Name, "NumberOfDistances requires", "got 0" }, [](auto* f) { f->SetNumberOfDistances(0); });
-  RefusesSettings<Voids>({ Name, "Blocks requires", "got 1." }, [](auto* f) { f->SetBlocks(1); });
-  RefusesSettings<Voids>(
-    { Name, "room for a margin of" }, [](auto* f) { f->SetMaximumDistance(8.0); }, false);
+  const auto refuses = [](const std::string& part, const std::string& got,
+                         const std::function<void(Voids*)>& spoil, bool periodic = true)
+  {
+    RefusesSettings<Voids>(
+      { Name, part, got }, spoil, periodic, [](Voids* f) { f->SetSpacing(0.4); });
+  };
+  refuses("Spacing requires Spacing >= 0", "got -1", [](Voids* f) { f->SetSpacing(-1.0); });
+  refuses("MemoryLimit", "4000", [](Voids* f) { f->SetSpacing(1e-4); });
+  refuses("MaximumDistance requires less than the periodic edge", "got 12",
+    [](Voids* f) { f->SetMaximumDistance(12.0); });
+  refuses("NumberOfDistances requires", "got 0", [](Voids* f) { f->SetNumberOfDistances(0); });
+  refuses("Blocks requires", "got 1.", [](Voids* f) { f->SetBlocks(1); });
+  refuses(
+    "room for a margin of", "12 x 12 x 12", [](Voids* f) { f->SetMaximumDistance(8.0); }, false);
 }
 
 TEST(VoidRefusals, PointsBeyondTheMaximumDistanceAreTold)

@@ -33,6 +33,7 @@ TEST(VoidDistances, OfTheSimpleCubicLattice)
   settings.Spacing = 0.043;
   settings.MaximumDistance = 0.4;
   settings.Distances = 20;
+  settings.Blocks = 8; // the cells
   const VoidDistances found = Measure(oracle::SimpleCubic(2), settings);
   const auto outside = [](double radius)
   {
@@ -45,7 +46,7 @@ TEST(VoidDistances, OfTheSimpleCubicLattice)
   for (int k = 0; k <= 20; ++k)
   {
     // The lattice of points tells the volume of a body to some of its voxels
-    EXPECT_NEAR(found.Share[k].Value, outside(1.0 + found.Distance[k]) / outside(1.0), 2e-3);
+    EXPECT_NEAR(found.Share[k].Value, outside(1.0 + found.Distance[k]) / outside(1.0), 4e-3);
     EXPECT_NEAR(found.Share[k].Error, 0.0, 1e-3); // the same in all cells
   }
   EXPECT_NEAR(found.Beyond, found.Share.back().Value, 0.0);
@@ -58,7 +59,8 @@ void ExpectCritical(const oracle::PackInBox& lattice, double radius)
   const VoidDistances found = Measure(lattice, settings);
   for (const ruc::ValueWithError& critical : found.CriticalRadius)
   {
-    EXPECT_NEAR(critical.Value, radius, std::min(2.0 * critical.Error, 0.02));
+    // Throats that all lie alike between the points do not make up for each other
+    EXPECT_NEAR(critical.Value, radius, 0.3 * settings.Spacing);
     EXPECT_LT(critical.Error, 0.05);
   }
 }
@@ -81,6 +83,7 @@ TEST(VoidDistances, OfOverlappingSpheresAreExponential)
     oracle::PackInBox cut = made;
     cut.Box.Periodic = { periodic, periodic, periodic };
     VoidSettings settings;
+    settings.Spacing = 0.08;
     settings.MaximumDistance = 0.7;
     settings.Distances = 14;
     settings.Blocks = 64;
@@ -123,27 +126,27 @@ TEST(VoidDistances, ACoarserLatticeHasTheSameCriticalRadius)
   const HardPack hard(150, 450, 0.5);
   VoidSettings coarse, fine;
   coarse.Spacing = 0.12;
-  fine.Spacing = 0.04;
+  fine.Spacing = 0.06;
   const VoidDistances one = Measure({ hard.Pack, hard.Box }, coarse);
   const VoidDistances other = Measure({ hard.Pack, hard.Box }, fine);
   for (int q = 0; q < 3; ++q)
   {
-    EXPECT_NEAR(one.CriticalRadius[q].Value, other.CriticalRadius[q].Value, 0.02);
+    EXPECT_NEAR(one.CriticalRadius[q].Value, other.CriticalRadius[q].Value, 0.03);
   }
 }
 
 TEST(VoidDistances, CriticalRadiiOfACylinderAreThoseOfTheBoxInside)
 {
-  const oracle::PackInBox made = oracle::SimpleCubic(10);
+  const oracle::PackInBox made = oracle::SimpleCubic(5);
   const auto measure = [&](const ruc::Vector3& axis)
   {
-    const ruc::Window cylinder = ruc::Window::MakeCylinder({ 10, 10, 2 }, axis, 8.0, 14.0);
+    const ruc::Window cylinder = ruc::Window::MakeCylinder({ 5, 5, 1 }, axis, 4.4, 8.0);
     ruc::Communicator alone;
     VoidSettings settings;
-    settings.Spacing = 0.1;
+    settings.Spacing = 0.06;
     const ruc::SpherePack inside = ruc::CropToWindow(made.Pack, cylinder);
     return ruc::MeasureVoids(
-      ruc::SharePack(inside, cylinder), ruc::SamplingRegion(cylinder, 2.0), settings, alone);
+      ruc::SharePack(inside, cylinder), ruc::SamplingRegion(cylinder, 1.4), settings, alone);
   };
   const VoidDistances upright = measure({ 0, 0, 1 });
   for (const ruc::ValueWithError& critical : upright.CriticalRadius)
