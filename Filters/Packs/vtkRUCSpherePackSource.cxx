@@ -220,6 +220,11 @@ std::optional<ruc::Estimate> vtkRUCSpherePackSource::MakeEstimate()
     this->MakeSizes().Make(std::min(this->NumberOfSpheres, SpheresForEstimate)).Radius;
   const ruc::DensePackSettings settings = this->MakeSettings(radii);
   ruc::Estimate estimate = ruc::EstimateDensePack(settings, this->NumberOfSpheres);
+  if (!this->CheckpointFile.empty())
+  {
+    estimate.MegabytesOfRank +=
+      this->NumberOfSpheres * ruc::MostBytesOfCheckpoint / ruc::BytesOfMegabyte;
+  }
   const RankCommunicator ranks(this->GetController());
   estimate.Seconds *= PackEstimate::Cores(ranks.Size()); // rank 0 does it alone
   return estimate;

@@ -91,18 +91,19 @@ void PrintCell(const char* what, const ruc::SphereSizes& sizes, double fraction,
   ruc::GradientSearchSettings settings;
   settings.TargetObjective = wanted;
   const Clock clock;
-  double start = 0.0;
+  double start = 0.0, last = 0.0; // F2 before the finish
   const ruc::UnitCell cell = ruc::SearchByGradient(contents, target, settings, alone,
     [&](const ruc::SearchState& state)
     {
       start = state.Iteration <= 1 ? clock.Seconds() : start;
+      last = state.Phase == ruc::SearchPhase::MinimisingObjective ? state.Objective : last;
       return true;
     });
   const double seconds = clock.Seconds();
-  std::printf("%-34s %6.2f s, of which %.2f s for the start; F2 %.5f, of the start %.5f, %d "
-              "iterations, overlapping pairs %lld\n",
-    what, seconds, start, cell.Objective, cell.StartObjective, cell.Iterations,
-    static_cast<long long>(cell.Overlap.Pairs));
+  std::printf("%-34s %6.2f s, of which %.2f s for the start; F2 %.5f, over that before the "
+              "finish %.4f, of the start %.5f, %d iterations, overlapping pairs %lld\n",
+    what, seconds, start, cell.Objective, cell.Objective / last, cell.StartObjective,
+    cell.Iterations, static_cast<long long>(cell.Overlap.Pairs));
 }
 }
 

@@ -5,6 +5,7 @@
 #include "ruc/Base/Bytes.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace ruc
 {
@@ -25,7 +26,7 @@ std::string SealBytes(std::string_view format, std::uint32_t version, const std:
   writer.Put(version);
   writer.Put(body); // writes its length first
   writer.Put(FingerprintOfBytes(writer.Bytes));
-  return writer.Bytes;
+  return std::move(writer.Bytes);
 }
 
 std::string_view UnsealBytes(

@@ -53,7 +53,7 @@ private:
   void Refill();
 
   ByteStream& Bytes;
-  std::vector<char> Buffer = std::vector<char>(4 * LongestLine);
+  std::vector<char> Buffer = std::vector<char>(2 * LongestLine);
   std::uint64_t BufferOffset;
   std::size_t LinesBefore;
   std::size_t At = 0, End = 0; // what is left in the buffer is between these

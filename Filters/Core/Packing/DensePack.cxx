@@ -389,7 +389,7 @@ constexpr double ExchangeOverCollision = 0.3; // what exchanges add to it
 constexpr double FlightsOfThinPack = 0.5;
 constexpr double LeastLeft = 1e-3, Heating = 18.0; // of a growth
 constexpr double SpheresInCache = 1000.0;
-constexpr double BytesOfSphere = 600.0;
+constexpr double BytesOfSphere = 1200.0; // most of them for the last steps of the descent
 
 // Of a power of the radii
 double MeanPower(const std::vector<double>& radii, int power)

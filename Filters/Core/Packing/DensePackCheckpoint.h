@@ -16,6 +16,9 @@ namespace ruc
  * writes it.
  */
 
+/** What it takes at the most to keep and write a state, for each sphere. */
+constexpr double MostBytesOfCheckpoint = 5000.0;
+
 std::string WriteCheckpoint(const DensePackState& state, const DensePackSettings& settings);
 
 /**

@@ -8,12 +8,15 @@
 
 #include "vtkRUCSpherePackSource.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkFieldData.h"
 #include "vtkTable.h"
 
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <limits>
+#include <thread>
 
 using Source = vtkRUCSpherePackSource;
 
@@ -149,6 +152,63 @@ TEST(SpherePackSource, FilesThatCannotBe)
   {
     std::remove(name.c_str());
   }
+}
+
+TEST(SpherePackSource, StoppedBeforeThereIsAPackItGoesOn)
+{
+  const std::string name = ruc::Text("pushed_", NumberOfRanks(), ".state");
+  const auto make = [&](const std::string& checkpoint, int stopAt, const std::string& refusal)
+  {
+    vtkNew<Source> source;
+    source->SetNumberOfSpheres(500);
+    source->SetFraction(0.6);
+    source->SetProtocol(Source::SOFT);
+    source->SetCheckpointFile(checkpoint);
+    // Each event takes a while, so that the next is not left out
+    struct Stop
+    {
+      int Calls = 0, At = 0;
+    } stop{ 0, stopAt };
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(&stop);
+    command->SetCallback(
+      [](vtkObject* caller, unsigned long, void* data, void*)
+      {
+        auto& of = *static_cast<Stop*>(data);
+        auto* running = static_cast<vtkAlgorithm*>(caller);
+        if (Rank() == 0 && of.At > 0 && running->GetProgressText())
+        {
+          running->SetAbortExecute(++of.Calls == of.At);
+          std::this_thread::sleep_for(std::chrono::milliseconds(110));
+        }
+      });
+    source->AddObserver(vtkCommand::ProgressEvent, command);
+    const Errors errors(source);
+    source->Update();
+    if (refusal.empty())
+    {
+      EXPECT_TRUE(errors.Texts.empty());
+    }
+    else
+    {
+      ExpectRefusal(source, errors, { refusal });
+    }
+    return vtkSmartPointer<vtkDataObject>(source->GetOutputDataObject(0));
+  };
+  const vtkSmartPointer<vtkDataObject> whole = make("", 0, "");
+  for (int run = 0; run < 2; ++run)
+  {
+    make(name, 3, "Stopped before there was a pack. The next run goes on from there.");
+  }
+  const vtkSmartPointer<vtkDataObject> resumed = make(name, 0, "");
+  if (Rank() == 0)
+  {
+    EXPECT_EQ(vtkPolyData::SafeDownCast(resumed)->GetNumberOfPoints(), 500);
+    ExpectSameOutput(resumed, whole);
+    std::remove(name.c_str());
+  }
+  Barrier();
+  make("", 1, "Stopped before there was a pack.");
 }
 
 TEST(SpherePackSource, WhatCannotBe)
