@@ -105,6 +105,24 @@ def of_third_order():
     assert '%.6g' % taken == '%.6g' % cut_off, (taken, cut_off)
 
 
+def of_neighbours():
+    """More gaps by pair of modes take more memory, more points more time, and the automatic distance is said."""
+    pack = make_pack()
+    box = {'BoxSize': [10, 10, 10], 'BoxPeriodic': [1, 1, 1]}
+    neighbours, voids = NeighbourStatistics(Input=pack, **box), VoidDistances(Input=pack, Spacing=0.2, **box)
+    assert min(estimate(neighbours) + estimate(voids)) > 0.0
+    assert estimate(NeighbourStatistics(Input=pack, NumberOfGaps=10000, **box))[1] > 2 * estimate(neighbours)[1]
+    assert estimate(VoidDistances(Input=pack, Spacing=0.1, **box))[0] > 4 * estimate(voids)[0]
+    said = voids.GetProperty('AutomaticValues').GetData()
+    assert said.startswith('Maximum Distance '), said
+    taken = fetch(voids).GetFieldData().GetArray('MaximumDistance').GetValue(0)
+    assert '%.6g' % taken == '%.6g' % float(said.split()[-1]), (taken, said)
+    for bad in ({'ContactTolerance': 0.3}, {'MaximumGap': 0.0}, {'NumberOfGaps': 0}, {'Blocks': 1}):
+        assert estimate(NeighbourStatistics(Input=pack, **box, **bad))[0] == 0.0, bad
+    for bad in ({'Spacing': -1.0}, {'MaximumDistance': -1.0}, {'NumberOfDistances': 0}, {'Blocks': 1}):
+        assert estimate(VoidDistances(Input=pack, **box, **bad))[0] == 0.0, bad
+
+
 def spheres_told():
     """SpheresInInput is what a spread pack has in all; it asks for no run, neither of this filter nor of those behind it."""
     pack = make_pack()
@@ -171,4 +189,4 @@ def shared_by_ranks():
     assert fetch(TwoPointProbability(Input=spread, MaximumLag=1.0)).GetNumberOfRows() == 278
 
 
-run((without_a_run, automatic_values, of_third_order, spheres_told, from_a_table, nothing_to_go_by, shared_by_ranks))
+run((without_a_run, automatic_values, of_third_order, of_neighbours, spheres_told, from_a_table, nothing_to_go_by, shared_by_ranks))

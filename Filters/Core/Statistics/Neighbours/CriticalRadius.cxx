@@ -17,18 +17,6 @@ LatticeValues LatticeValues::Box(
   };
 }
 
-LatticeValues LatticeValues::EverySecond(const std::array<int, 3>& from) const
-{
-  LatticeValues values = this->Box(from, {});
-  values.Periodic = this->Periodic;
-  for (int q = 0; q < 3; ++q)
-  {
-    values.Stride[q] = 2 * this->Stride[q];
-    values.Count[q] = (this->Count[q] - from[q] + 1) / 2;
-  }
-  return values;
-}
-
 namespace
 {
 using Winding = std::array<std::int8_t, 3>; // whole periods
@@ -61,23 +49,20 @@ public:
       this->Planes[point] |= this->Values.Periodic[q] ? 0 : bits << (2 * q);
     }
     this->SetCrossed(this->Planes[point], value, critical);
-    for (int n = 0; n < 27; ++n)
+    for (int n = 0; n < 6; ++n)
     {
-      const std::array<int, 3> step = { n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1 };
-      std::uint32_t other = 0;
+      std::array<int, 3> next = at;
       Winding away{};
-      bool inside = n != 13;
-      for (int q = 0; q < 3 && inside; ++q)
+      const int axis = n / 2;
+      next[axis] += n % 2 == 0 ? -1 : 1;
+      const bool isOutside = next[axis] < 0 || next[axis] >= count[axis];
+      if (isOutside)
       {
-        int place = at[q] + step[q];
-        if (place < 0 || place >= count[q])
-        {
-          inside = this->Values.Periodic[q];
-          away[q] = static_cast<std::int8_t>(place < 0 ? -1 : 1);
-          place += place < 0 ? count[q] : -count[q];
-        }
-        other = other * static_cast<std::uint32_t>(count[q]) + static_cast<std::uint32_t>(place);
+        away[axis] = static_cast<std::int8_t>(next[axis] < 0 ? -1 : 1);
+        next[axis] -= away[axis] * count[axis];
       }
+      const bool inside = !isOutside || this->Values.Periodic[axis];
+      const std::uint32_t other = next[0] * plane + next[1] * count[2] + next[2];
       if (inside && this->Parent[other] != Absent)
       {
         this->Join(point, other, away, value, critical);

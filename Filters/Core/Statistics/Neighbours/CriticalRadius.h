@@ -25,14 +25,13 @@ struct LatticeValues
   }
   /** The box of `count` points from a point on, none of whose axes is periodic. */
   LatticeValues Box(const std::array<int, 3>& from, const std::array<int, 3>& count) const;
-  /** Every second point from a point on. The periodic axes must have an even number of points. */
-  LatticeValues EverySecond(const std::array<int, 3>& from) const;
 };
 
 /**
  * Returns for each axis the greatest value v for which the points with values >= v connect the
  * first plane across the axis with the last, or, along a periodic axis, a point with its own image.
- * Points are connected to the 26 around them. It is 0 where those with values > 0 do not connect.
+ * Points are connected to the next along each axis. It is 0 where those with values > 0 do not
+ * connect.
  */
 std::array<double, 3> FindCriticalValues(const LatticeValues& values);
 }

@@ -7,6 +7,7 @@
 #include "ruc/Base/Text.h"
 #include "ruc/Particles/SphereOverlap.h"
 #include "ruc/Statistics/Neighbours/CriticalRadius.h"
+#include "ruc/Statistics/Neighbours/PoreThroats.h"
 #include "ruc/Statistics/Neighbours/SurfaceDistances.h"
 #include "ruc/Statistics/Results/SpaceBlocks.h"
 
@@ -22,6 +23,7 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double FinestSpacing = 0.05; // of the mean diameter
 constexpr double UsualPoints = 1.6e7, MostPoints = 1e9;
 constexpr std::size_t PointsAtATime = 1 << 20;
+constexpr double WidestThroat = 0.5; // mean diameters
 constexpr double PercolationExponent = 0.876;
 
 // In all but one of a thousand points of the matrix of random spheres the nearest one is closer
@@ -141,12 +143,15 @@ private:
   std::vector<double> Sums;
 };
 
-// Measures the distances plane by plane. Rank 0 keeps those of all points, 0 outside the region.
+// Measures the distances plane by plane. Rank 0 keeps those of all points, raised by PoreThroats, 0
+// outside the region.
 std::vector<float> Measure(const PackShare& share, const SamplingRegion& region,
   const PointLattice& lattice, DistanceCounts& counts, double most, Communicator& ranks,
   const std::function<void(double)>& progress)
 {
   std::vector<float> kept;
+  const PoreThroats throats(
+    share, lattice, std::min(most, WidestThroat * share.MeanDiameter()), ranks);
   const int planes =
     static_cast<int>(std::max<std::size_t>(1, PointsAtATime / lattice.PlaneSize()));
   for (int first = 0; first < lattice.Count[0]; first += planes)
@@ -155,6 +160,7 @@ std::vector<float> Measure(const PackShare& share, const SamplingRegion& region,
     const SurfaceDistances own = FindSurfaceDistances(share.Own, lattice, most, first, last);
     std::vector<double> distances(own.Distance.begin(), own.Distance.end());
     ranks.Minimum(distances.data(), distances.size());
+    const std::vector<double> raised = throats.Raise(own, distances, first, ranks);
     std::size_t n = 0;
     for (int i = first; i < last; ++i)
     {
@@ -170,7 +176,7 @@ std::vector<float> Measure(const PackShare& share, const SamplingRegion& region,
           }
           if (ranks.Rank() == 0)
           {
-            kept.push_back(isVoid ? static_cast<float>(distances[n]) : 0.0F);
+            kept.push_back(isVoid ? static_cast<float>(raised[n]) : 0.0F);
           }
         }
       }
@@ -213,17 +219,8 @@ LatticeValues BoxOf(
   return all.Box({}, {});
 }
 
-// Calls visit(corner) for the eight corners of a unit cube
-template <class Visit>
-void ForEachCorner(Visit&& visit)
-{
-  for (int n = 0; n < 8; ++n)
-  {
-    visit(std::array<int, 3>{ n / 4, n / 2 % 2, n % 2 });
-  }
-}
-
-std::array<ValueWithError, 3> FindCriticalRadii(const LatticeValues& box)
+std::array<ValueWithError, 3> FindCriticalRadii(
+  const LatticeValues& box, double spacing, double meanDiameter)
 {
   const ValueWithError unknown = { NotANumber, NotANumber };
   std::array<ValueWithError, 3> radii = { unknown, unknown, unknown };
@@ -231,28 +228,25 @@ std::array<ValueWithError, 3> FindCriticalRadii(const LatticeValues& box)
   {
     return radii;
   }
-  const std::array<double, 3> fine = FindCriticalValues(box);
-  std::array<double, 3> coarse{}, sums{}, squares{};
-  ForEachCorner(
-    [&](const std::array<int, 3>& corner)
+  const std::array<double, 3> found = FindCriticalValues(box);
+  std::array<double, 3> sums{}, squares{};
+  for (int n = 0; n < 8; ++n)
+  {
+    const std::array<int, 3> half = { box.Count[0] / 2, box.Count[1] / 2, box.Count[2] / 2 };
+    const std::array<double, 3> ofEighth =
+      FindCriticalValues(box.Box({ n / 4 * half[0], n / 2 % 2 * half[1], n % 2 * half[2] }, half));
+    for (int q = 0; q < 3; ++q)
     {
-      const std::array<int, 3> half = { box.Count[0] / 2, box.Count[1] / 2, box.Count[2] / 2 };
-      const std::array<double, 3> ofEverySecond = FindCriticalValues(box.EverySecond(corner));
-      const std::array<double, 3> ofEighth = FindCriticalValues(
-        box.Box({ corner[0] * half[0], corner[1] * half[1], corner[2] * half[2] }, half));
-      for (int q = 0; q < 3; ++q)
-      {
-        coarse[q] += ofEverySecond[q] / 8.0;
-        sums[q] += ofEighth[q];
-        squares[q] += ofEighth[q] * ofEighth[q];
-      }
-    });
+      sums[q] += ofEighth[q];
+      squares[q] += ofEighth[q] * ofEighth[q];
+    }
+  }
+  const double beside = spacing * spacing / (12.0 * meanDiameter);
   for (int q = 0; q < 3; ++q)
   {
     const double scatter = std::sqrt(std::max(squares[q] - sums[q] * sums[q] / 8.0, 0.0) / 7.0);
-    radii[q] = { 2.0 * fine[q] - coarse[q],
-      std::hypot(
-        0.5 * (fine[q] - coarse[q]), scatter * std::pow(2.0, -1.0 / PercolationExponent)) };
+    radii[q] = { found[q],
+      std::hypot(beside, scatter * std::pow(2.0, -1.0 / PercolationExponent)) };
   }
   return radii;
 }
@@ -308,7 +302,8 @@ VoidDistances MeasureVoids(const PackShare& share, const SamplingRegion& region,
   std::vector<double> critical;
   if (ranks.Rank() == 0)
   {
-    for (const ValueWithError& radius : FindCriticalRadii(BoxOf(region, lattice, distances)))
+    for (const ValueWithError& radius :
+      FindCriticalRadii(BoxOf(region, lattice, distances), result.Spacing, share.MeanDiameter()))
     {
       critical.insert(critical.end(), { radius.Value, radius.Error });
     }

@@ -62,12 +62,11 @@ struct VoidDistances
    * face of the region, or of the box inside a cylinder along an axis; along a periodic axis from a
    * place to its image. NaN where the region is no box.
    *
-   * On a lattice with the spacing h it is too small by an amount that is about linear in h, and is
-   * taken from h and 2 h. It may be off by most of h where all throats lie alike between the
-   * points, as in a regular lattice of spheres. The error has half the difference, and the scatter
-   * of the eighths of the box times 2^(-1 / 0.876): by that power of the edge, with the exponent nu
-   * of percolation in three dimensions, the critical value of a box scatters (D. Stauffer, A.
-   * Aharony, Introduction to Percolation Theory, 1994).
+   * Points beside a throat count as those within (PoreThroats), so that the spacing h makes an
+   * error of the order of h^2 / 12 mean diameters. The error has this, and the scatter of the
+   * eighths of the box times 2^(-1 / 0.876): by that power of the edge, with the exponent nu of
+   * percolation in three dimensions, the critical value of a box scatters (D. Stauffer, A. Aharony,
+   * Introduction to Percolation Theory, 1994).
    */
   std::array<ValueWithError, 3> CriticalRadius;
 };

@@ -59,8 +59,8 @@ void ExpectCritical(const oracle::PackInBox& lattice, double radius)
   const VoidDistances found = Measure(lattice, settings);
   for (const ruc::ValueWithError& critical : found.CriticalRadius)
   {
-    // Throats that all lie alike between the points do not make up for each other
-    EXPECT_NEAR(critical.Value, radius, 0.3 * settings.Spacing);
+    // At most what is gained by passing a throat half a spacing before and behind it
+    EXPECT_NEAR(critical.Value, radius, settings.Spacing * settings.Spacing / 8.0);
     EXPECT_LT(critical.Error, 0.05);
   }
 }
@@ -121,17 +121,18 @@ TEST(VoidDistances, TheMeanAgreesWithTheShares)
   EXPECT_EQ(found.Beyond, 0.0);
 }
 
+// To some of their errors of resolution, h^2 / 12 diameters
 TEST(VoidDistances, ACoarserLatticeHasTheSameCriticalRadius)
 {
   const HardPack hard(150, 450, 0.5);
   VoidSettings coarse, fine;
-  coarse.Spacing = 0.12;
+  coarse.Spacing = 0.2;
   fine.Spacing = 0.06;
   const VoidDistances one = Measure({ hard.Pack, hard.Box }, coarse);
   const VoidDistances other = Measure({ hard.Pack, hard.Box }, fine);
   for (int q = 0; q < 3; ++q)
   {
-    EXPECT_NEAR(one.CriticalRadius[q].Value, other.CriticalRadius[q].Value, 0.03);
+    EXPECT_NEAR(one.CriticalRadius[q].Value, other.CriticalRadius[q].Value, 0.01);
   }
 }
 
@@ -151,7 +152,7 @@ TEST(VoidDistances, CriticalRadiiOfACylinderAreThoseOfTheBoxInside)
   const VoidDistances upright = measure({ 0, 0, 1 });
   for (const ruc::ValueWithError& critical : upright.CriticalRadius)
   {
-    EXPECT_NEAR(critical.Value, std::sqrt(2.0) - 1.0, 0.06); // a spacing
+    EXPECT_NEAR(critical.Value, std::sqrt(2.0) - 1.0, 0.06 * 0.06);
   }
   EXPECT_TRUE(std::isnan(measure({ 0, 0.1, 1 }).CriticalRadius[0].Value));
 }
@@ -265,10 +266,10 @@ bool Connects(const ruc::LatticeValues& values, int axis, float least)
       {
         return true;
       }
-      for (int m = 0; m < 27; ++m)
+      for (int m = 0; m < 6; ++m)
       {
-        const std::array<int, 3> other = { at[0] + m / 9 - 1, at[1] + m / 3 % 3 - 1,
-          at[2] + m % 3 - 1 };
+        std::array<int, 3> other = at;
+        other[m / 2] += m % 2 == 0 ? -1 : 1;
         bool isNear = true; // three boxes away at most
         for (int q = 0; q < 3; ++q)
         {
@@ -297,7 +298,7 @@ TEST(CriticalRadius, IsWherePointsConnect)
     std::vector<float> numbers;
     for (int i = 0; i < 120; ++i)
     {
-      numbers.push_back(static_cast<float>(random() < 0.8 ? 0.0 : random(0.01, 1.0)));
+      numbers.push_back(static_cast<float>(random() < 0.5 ? 0.0 : random(0.01, 1.0)));
     }
     values.First = numbers.data();
     const std::array<double, 3> found = ruc::FindCriticalValues(values);
