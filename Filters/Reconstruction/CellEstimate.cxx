@@ -102,6 +102,10 @@ ruc::Estimate CellEstimate::OfPack(const ruc::PackFigures& pack, const CellPrope
   {
     estimate += ruc::EstimateSpectrum(pack);
   }
+  if (!search.IsByPopulation() && neighbours.ThirdOrderWeight > 0.0)
+  {
+    estimate += ruc::EstimateNeighbourhoods(pack, search.Gradient.ThirdOrder);
+  }
   estimate += OfSearch(cell, lags, search, longestSearch);
   return estimate;
 }

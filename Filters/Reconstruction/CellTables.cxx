@@ -29,7 +29,7 @@ void FillConvergence(
   const ruc::UnitCell& cell, const ruc::NeighbourTarget& neighbours, vtkTable* table)
 {
   std::vector<long long> iteration;
-  std::vector<double> objective, overlap, multipliers, gaps, nearest, pores, spectrum;
+  std::vector<double> objective, overlap, multipliers, gaps, nearest, pores, spectrum, third;
   for (const ruc::SearchState& state : cell.Convergence)
   {
     iteration.push_back(state.Iteration);
@@ -42,6 +42,7 @@ void FillConvergence(
     nearest.push_back(misfits.Nearest + unknown);
     pores.push_back(misfits.Pores + unknown);
     spectrum.push_back(misfits.Spectrum + unknown);
+    third.push_back(misfits.ThirdOrder + unknown);
   }
   PackData::AddColumn(table, "Iteration", iteration);
   PackData::AddColumn(table, "Objective", objective);
@@ -59,6 +60,10 @@ void FillConvergence(
   if (neighbours.HasSpectrum())
   {
     PackData::AddColumn(table, "SpectrumMisfit", spectrum);
+  }
+  if (neighbours.HasThirdOrder())
+  {
+    PackData::AddColumn(table, "ThirdOrderMisfit", third);
   }
 }
 
@@ -150,6 +155,10 @@ void AddCellFields(
     number("Zeta", cell.Zeta);
     number("ZetaOfPack", neighbours.Spectrum.Zeta);
     number("ZetaOfPack_error", neighbours.Spectrum.ZetaError);
+  }
+  if (neighbours.HasThirdOrder())
+  {
+    number("ThirdOrderMisfit", misfits.ThirdOrder);
   }
   whole("Iterations", cell.Iterations);
   PackData::AddField(data, "EndedBy", std::string(ruc::NameOf(cell.EndedBy)));

@@ -100,6 +100,21 @@ void vtkRUCUnitCellReconstruction::SetModeCount(int i, int count)
   this->Modified();
 }
 
+void vtkRUCUnitCellReconstruction::ClearThirdOrderDistances()
+{
+  this->Search.Gradient.ThirdOrder.Distances.clear();
+  this->Modified();
+}
+
+void vtkRUCUnitCellReconstruction::SetThirdOrderDistance(int i, double distance)
+{
+  if (!SetOfMode(this->Search.Gradient.ThirdOrder.Distances, i, distance))
+  {
+    vtkErrorMacro(<< "ThirdOrderDistances has places 0 to " << ruc::MostModes - 1 << ", got " << i);
+  }
+  this->Modified();
+}
+
 void vtkRUCUnitCellReconstruction::ClearOperatorWeights()
 {
   this->NumberOfOperatorWeights = 0;
@@ -220,8 +235,9 @@ void vtkRUCUnitCellReconstruction::Execute(
   if (this->Search.Method == GRADIENT && ranks.Rank() == 0 && neighbours.IsWanted())
   {
     vtkWarningMacro(
-      << "ContactWeight, PoreWeight and SpectrumWeight do not count, as a table of S_rs tells no "
-         "near neighbours, no pores and no spectrum: they require a pack.");
+      << "ContactWeight, PoreWeight, SpectrumWeight and ThirdOrderWeight do not count, as a table "
+         "of "
+         "S_rs tells neither near neighbours nor pores nor third order: they require a pack.");
   }
   this->Reconstruct(
     contents, target, this->Search, PackData::FindLengthUnit(table, ranks), outputs, ranks, report);
@@ -264,6 +280,10 @@ CellSearch::Settings vtkRUCUnitCellReconstruction::FindSearch(
   if (neighbours.SpectrumWeight > 0.0)
   {
     neighbours.Spectrum = ruc::MeasureSpectrum(share, "SpectrumWeight", ranks);
+  }
+  if (neighbours.ThirdOrderWeight > 0.0)
+  {
+    neighbours.ThirdOrder = ruc::MeasureNeighbourhoods(share, search.Gradient.ThirdOrder, ranks);
   }
   if (neighbours.ContactWeight + neighbours.PoreWeight == 0.0)
   {
@@ -338,6 +358,9 @@ void vtkRUCUnitCellReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   print("StopFile", this->StopFile);
   ruc::GradientSearchSettings::VisitSearch(this->Search.Gradient, print);
   ruc::GradientSearchSettings::VisitEnd(this->Search.Gradient, print);
+  print("ThirdOrderClasses", this->Search.Gradient.ThirdOrder.Classes);
+  print("ThirdOrderDegree", this->Search.Gradient.ThirdOrder.Degree);
+  printList("ThirdOrderDistances", this->Search.Gradient.ThirdOrder.Distances);
   ruc::PopulationSettings annealed = this->Search.Annealed;
   // The seed and the target are the same for every method
   static_cast<ruc::SearchSettings&>(annealed) = this->Search.Gradient;

@@ -35,9 +35,9 @@
  *   with SpectrumWeight also `Zeta` (NaN where the cell has overlap), `ZetaOfPack` and
  *   `ZetaOfPack_error`.
  * - 1 is the table of convergence of the best cell, `Iteration`, `Objective`, `OverlapPercent`, for
- *   a dense cell `SumOfMultipliers`, and `GapMisfit`, `NearestMisfit`, `PoreMisfit`, `SpectrumMisfit`
- *   (which are also field data; NaN while F2 descends alone) where they count, whose row 0 is the start and whose
- * last row is the cell that is returned.
+ *   a dense cell `SumOfMultipliers`, and `GapMisfit`, `NearestMisfit`, `PoreMisfit`,
+ * `SpectrumMisfit`, `ThirdOrderMisfit` (which are also field data; NaN while F2 descends alone)
+ * where they count, whose row 0 is the start and whose last row is the cell that is returned.
  * - 2 is the table `r`, `S_1_1_pack`, `S_1_1_cell`, … of the best cell; for several cells also
  *   `S_1_1_mean`, `S_1_1_deviation` (the standard deviation over the cells), ….
  * - 3 is a multiblock data set of all cells.
@@ -140,8 +140,8 @@ public:
   RUCSetting(SaturationTolerance, double, Cell.SaturationTolerance);
   /**
    * The most iterations of L-BFGS on F2, >= 0. The search ends earlier if F2 falls by less than 0.1
-   * % in 100 iterations. With ContactWeight, PoreWeight or SpectrumWeight up to one and a half times as many
-   * follow, on F2 and those terms together. Default: 1000.
+   * % in 100 iterations. With ContactWeight, PoreWeight, SpectrumWeight or ThirdOrderWeight up to
+   * one and a half times as many follow, on F2 and those terms together. Default: 1000.
    */
   RUCSetting(MaximumIterations, int, Search.Gradient.MaximumIterations);
   /** The search ends when a cell without overlap has F2 at or below this; >= 0. Default: 0. */
@@ -160,6 +160,23 @@ public:
    * Default: 0.
    */
   RUCSetting(SpectrumWeight, double, Search.Gradient.Neighbours.SpectrumWeight);
+  /**
+   * The same for the three-point functions around centres, T of vtkRUCThreePointProbability, of
+   * ThirdOrderClasses classes of modes, to the degree ThirdOrderDegree, at ThirdOrderDistances. The
+   * pack must overlap by at most 0.01 % and have 100 spheres of each class two largest diameters
+   * and the last distance away from its faces. Default: 0.
+   */
+  RUCSetting(ThirdOrderWeight, double, Search.Gradient.Neighbours.ThirdOrderWeight);
+  /** 1 to 4. Default: 3. */
+  RUCSetting(ThirdOrderClasses, int, Search.Gradient.ThirdOrder.Classes);
+  /** 0 to 13. Default: 8. */
+  RUCSetting(ThirdOrderDegree, int, Search.Gradient.ThirdOrder.Degree);
+  /**
+   * At most 32, > 0, ascending. Default: none, which stands for twelve from 0.04 to 1.44 mean
+   * diameters.
+   */
+  void ClearThirdOrderDistances();
+  void SetThirdOrderDistance(int i, double distance);
   /**
    * The search ends with the best cell so far after this many seconds, >= 0. Default: 0, which
    * means no limit.

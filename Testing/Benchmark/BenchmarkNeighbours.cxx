@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Cells of the example pack by F2 alone, and with near neighbours, pores and the spectrum: how near
- * they come, and what they cost. Gaps and pores are measured here anew, by all pairs and by random
- * points, and with standard errors from nine columns of the pack; zeta is that of Third-Order
- * Parameters.
+ * Cells of the example pack by F2 alone, and with near neighbours, pores, the spectrum and third
+ * order: how near they come, and what they cost. Gaps and pores are measured here anew, by all
+ * pairs and by random points, and with standard errors from nine columns of the pack; zeta is that
+ * of Third-Order Parameters.
  *
  *     BenchmarkNeighbours [contact weight, pore weight, spheres, iterations, seeds, target
- * objective, spectrum weight]
+ * objective, spectrum weight, third-order weight]
  */
 #include "ExamplePack.h"
 #include "ruc/Reconstruction/GradientSearch.h"
@@ -200,12 +200,11 @@ void PrintZeta(const char* what, const ruc::SpherePack& pack, const ruc::Window&
   std::printf("zeta of the %s: %.4f +- %.4f\n", what, zeta.Value, zeta.Error);
 }
 
-// What an evaluation of the spectrum takes
-void PrintTerm(const ruc::CellContents& contents, const ruc::PackSpectrum& spectrum)
+// What an evaluation of a term takes
+template <class Term>
+void PrintTerm(const char* what, const ruc::CellContents& contents, Term&& term)
 {
   constexpr int times = 20;
-  ruc::Communicator alone;
-  ruc::SpectrumTerm term(contents, spectrum, alone);
   const std::vector<double> centres = ruc::RandomCentres(contents, 1, 0);
   std::vector<double> gradient(centres.size(), 0.0);
   double seconds[2];
@@ -218,7 +217,7 @@ void PrintTerm(const ruc::CellContents& contents, const ruc::PackSpectrum& spect
     }
     seconds[withGradient] = (CpuSeconds() - before) / times;
   }
-  std::printf("An evaluation of the spectrum: %.1f ms, with gradient %.1f ms of CPU\n",
+  std::printf("An evaluation of the %s: %.1f ms, with gradient %.1f ms of CPU\n", what,
     1e3 * seconds[0], 1e3 * seconds[1]);
 }
 }
@@ -247,7 +246,18 @@ int main(int argc, char** argv)
       ruc::MeasureSpectrum(ruc::SharePack(pack, Block), "SpectrumWeight", alone);
     std::printf("Spectrum of the pack, to %.0f um: %.2f s of CPU\n",
       settings.Neighbours.Spectrum.CutOff, CpuSeconds() - before);
-    PrintTerm(contents, settings.Neighbours.Spectrum);
+    PrintTerm(
+      "spectrum", contents, ruc::SpectrumTerm(contents, settings.Neighbours.Spectrum, alone));
+  }
+  if (argument(8, 0.0) > 0.0)
+  {
+    const double before = CpuSeconds();
+    settings.Neighbours.ThirdOrderWeight = argument(8, 0.0);
+    settings.Neighbours.ThirdOrder =
+      ruc::MeasureNeighbourhoods(ruc::SharePack(pack, Block), settings.ThirdOrder, alone);
+    std::printf("Third order of the pack: %.2f s of CPU\n", CpuSeconds() - before);
+    PrintTerm("third order", contents,
+      ruc::ThirdOrderTerm(contents, settings.Neighbours.ThirdOrder, alone));
   }
   PrintZeta("pack", pack, Block);
   std::printf("Neighbours of a sphere with a gap of at most 0.5, 1, 2, 5, 10, 20, 40 %%; P(pore > "
@@ -280,10 +290,10 @@ int main(int argc, char** argv)
     Print("cell", Measure(cell.Pack, cell.Box, -1));
     const ruc::NeighbourMisfits& misfits = cell.Convergence.back().Misfits;
     std::printf(
-      "seed %d: F2 %.4f after %d iterations, %s, overlap %g %%, misfits %.3g %.3g %.3g %.3g, "
+      "seed %d: F2 %.4f after %d iterations, %s, overlap %g %%, misfits %.3g %.3g %.3g %.3g %.3g, "
       "%.1f s of CPU\n",
       seed, cell.Objective, cell.Iterations, ruc::NameOf(cell.EndedBy), cell.Overlap.Percent,
-      misfits.Gaps, misfits.Nearest, misfits.Pores, misfits.Spectrum, seconds);
+      misfits.Gaps, misfits.Nearest, misfits.Pores, misfits.Spectrum, misfits.ThirdOrder, seconds);
     PrintZeta("cell", cell.Pack, cell.Box);
   }
   return 0;

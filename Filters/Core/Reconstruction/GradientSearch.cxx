@@ -489,6 +489,8 @@ Estimate EstimateGradientSearch(
     Estimate terms;
     terms += neighbours.PoreWeight > 0.0 ? EstimatePoreTerm(cell.Spheres) : Estimate();
     terms += neighbours.SpectrumWeight > 0.0 ? EstimateSpectrumTerm(cell) : Estimate();
+    terms += neighbours.ThirdOrderWeight > 0.0 ? EstimateThirdOrderTerm(cell, settings.ThirdOrder)
+                                               : Estimate();
     estimate.Seconds += LatticesOfSearch * std::ceil(0.5 * first) * (evaluation + terms.Seconds);
     estimate.MegabytesOfRank += terms.MegabytesOfRank;
   }

@@ -24,8 +24,11 @@ namespace ruc
 struct GradientSearchSettings : SearchSettings
 {
   int MaximumIterations = 1000; // 0 gives the start with its overlap removed
-  /** The near neighbours, pores and spectrum of the pack; without a pack they are empty. */
+  /** The near neighbours, pores, spectrum and third order of the pack; without a pack they are
+   * empty. */
   NeighbourTarget Neighbours;
+  /** By which the pack's third order is measured. */
+  NeighbourhoodSettings ThirdOrder = { {}, 8, 3, 32, "ThirdOrderWeight", "ThirdOrder", 100 };
 
   template <class Self, class Visit>
   static void VisitSearch(Self& self, Visit&& visit)
@@ -34,6 +37,7 @@ struct GradientSearchSettings : SearchSettings
     visit("ContactWeight", self.Neighbours.ContactWeight, Range::AtLeast(0));
     visit("PoreWeight", self.Neighbours.PoreWeight, Range::AtLeast(0));
     visit("SpectrumWeight", self.Neighbours.SpectrumWeight, Range::AtLeast(0));
+    visit("ThirdOrderWeight", self.Neighbours.ThirdOrderWeight, Range::AtLeast(0));
   }
   template <class Self, class Visit>
   static void VisitEnd(Self& self, Visit&& visit)

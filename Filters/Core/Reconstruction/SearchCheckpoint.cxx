@@ -73,7 +73,7 @@ SearchKey MakeKey(const CellContents& contents, const TwoPointProbability& targe
   return { GradientMethod, FingerprintOf(contents),
     neighbours.Empty() ? FingerprintOf(target)
                        : FingerprintOfBytes(ToBytes(target) + ToBytes(neighbours.Pack) +
-                           ToBytes(neighbours.Spectrum)),
+                           ToBytes(neighbours.Spectrum) + ToBytes(neighbours.ThirdOrder)),
     FingerprintOfSettings(settings) };
 }
 

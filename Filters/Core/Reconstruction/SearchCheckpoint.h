@@ -31,7 +31,7 @@ struct SearchKey
 {
   std::uint64_t Method = 0;   // gradient or population
   std::uint64_t Contents = 0; // of the cell
-  std::uint64_t Target = 0;   // S_rs and lags, near neighbours, pores and spectrum
+  std::uint64_t Target = 0;   // S_rs and lags, near neighbours, pores, spectrum, third order
   std::uint64_t Settings = 0; // with the seed
 
   template <class Self>

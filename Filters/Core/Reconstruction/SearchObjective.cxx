@@ -28,6 +28,10 @@ SearchObjective::SearchObjective(const CellContents& contents, const TwoPointPro
   {
     this->Spectrum.emplace(contents, neighbours.Spectrum, communicator);
   }
+  if (neighbours.HasThirdOrder())
+  {
+    this->ThirdOrder.emplace(contents, neighbours.ThirdOrder, communicator);
+  }
 }
 
 void SearchObjective::BeginNeighbours(double reference)
@@ -69,7 +73,8 @@ double SearchObjective::ValueOf(double twoPoint, const NeighbourMisfits& misfits
     this->Reference *
     (this->Neighbours.ContactWeight * (misfits.Gaps + misfits.Nearest) +
       this->Neighbours.PoreWeight * misfits.Pores +
-      this->Neighbours.SpectrumWeight * misfits.Spectrum);
+      this->Neighbours.SpectrumWeight * misfits.Spectrum +
+      this->Neighbours.ThirdOrderWeight * misfits.ThirdOrder);
 }
 
 NeighbourMisfits SearchObjective::AddNeighbours(const double* centres, double* gradient)
@@ -91,6 +96,11 @@ NeighbourMisfits SearchObjective::AddNeighbours(const double* centres, double* g
   {
     misfits.Spectrum = this->Spectrum->Evaluate(
       centres, this->Reference * this->Neighbours.SpectrumWeight, gradient);
+  }
+  if (this->ThirdOrder)
+  {
+    misfits.ThirdOrder = this->ThirdOrder->Evaluate(
+      centres, this->Reference * this->Neighbours.ThirdOrderWeight, gradient);
   }
   return misfits;
 }

@@ -8,24 +8,27 @@
 #include "ruc/Reconstruction/NeighbourMisfits.h"
 #include "ruc/Reconstruction/PoreTerm.h"
 #include "ruc/Reconstruction/SpectrumTerm.h"
+#include "ruc/Reconstruction/ThirdOrderTerm.h"
 
 #include <cstdint>
 #include <optional>
 
 namespace ruc
 {
-/** What near neighbours, pores and the spectrum weigh, and those of the pack. */
+/** What near neighbours, pores, the spectrum and third order weigh, and those of the pack. */
 struct NeighbourTarget
 {
   // >= 0; 0 is as if there was no such term
-  double ContactWeight = 0.0, PoreWeight = 0.0, SpectrumWeight = 0.0;
+  double ContactWeight = 0.0, PoreWeight = 0.0, SpectrumWeight = 0.0, ThirdOrderWeight = 0.0;
   NeighbourSums Pack;
   PackSpectrum Spectrum;
+  NeighbourhoodMultipoles ThirdOrder;
 
   /** Whether any weight is > 0, be there a pack or not. */
   bool IsWanted() const
   {
-    return this->ContactWeight > 0.0 || this->PoreWeight > 0.0 || this->SpectrumWeight > 0.0;
+    return this->ContactWeight + this->PoreWeight + this->SpectrumWeight + this->ThirdOrderWeight >
+      0.0;
   }
 
   bool HasContacts() const
@@ -34,7 +37,15 @@ struct NeighbourTarget
   }
   bool HasPores() const { return this->PoreWeight > 0.0 && !this->Pack.Pores.Empty(); }
   bool HasSpectrum() const { return this->SpectrumWeight > 0.0 && !this->Spectrum.Empty(); }
-  bool Empty() const { return !this->HasContacts() && !this->HasPores() && !this->HasSpectrum(); }
+  bool HasThirdOrder() const
+  {
+    return this->ThirdOrderWeight > 0.0 && !this->ThirdOrder.Value.empty();
+  }
+  bool Empty() const
+  {
+    return !this->HasContacts() && !this->HasPores() && !this->HasSpectrum() &&
+      !this->HasThirdOrder();
+  }
 };
 
 /**
@@ -45,9 +56,10 @@ struct NeighbourTarget
  * From BeginNeighbours on it is
  *
  *     L = F2 + penalty or multipliers + F0 (contact weight (gaps + nearest) + pore weight pores +
- *         spectrum weight spectrum),
+ *         spectrum weight spectrum + third-order weight third order),
  *
- * where the misfits are those of ContactTerm, PoreTerm and SpectrumTerm. The reference F0 is the F2
+ * where the misfits are those of ContactTerm, PoreTerm, SpectrumTerm and
+ * ThirdOrderTerm. The reference F0 is the F2
  * that one unit of a misfit is worth. All ranks get the same bits.
  */
 class SearchObjective
@@ -90,6 +102,7 @@ private:
   std::optional<ContactTerm> Near;
   std::optional<PoreTerm> Pores;
   std::optional<SpectrumTerm> Spectrum;
+  std::optional<ThirdOrderTerm> ThirdOrder;
   double Reference = 0.0; // 0 before the terms of neighbours are added
 };
 }

@@ -3,8 +3,8 @@
 #include "ruc/Reconstruction/SpectrumTerm.h"
 
 #include "ruc/Base/FixedPoint.h"
-#include "ruc/Particles/CellList.h"
 #include "ruc/Particles/SphereOverlap.h"
+#include "ruc/Reconstruction/CellSurroundings.h"
 #include "ruc/Statistics/PairSums/PairHistogram.h"
 
 #include <algorithm>
@@ -39,84 +39,19 @@ double MeanRadius(const CellFigures& cell)
   }
   return cube > 0.0 ? std::cbrt(cube) : cell.LargestRadius;
 }
-}
 
-// Who is around whom in a cell
-class SpectrumTerm::Surroundings
+// Collects the spheres around the centre at a sorted place, and which they are
+void Gather(const CellSurroundings& cell, std::size_t i, LocalMultipoles::Neighbours& around,
+  std::vector<std::size_t>& spheres)
 {
-public:
-  Surroundings(const CellContents& contents, const double* centres, double cutOff)
-    : Pack(contents.MakePack(centres))
-    , Cells(Pack, contents.MakeBox(), cutOff)
-  {
-  }
-
-  // The sphere at a sorted place
-  std::size_t SphereOf(std::size_t i) const { return this->Cells.Index[i]; }
-  std::int64_t Size() const { return static_cast<std::int64_t>(this->Cells.Size()); }
-  std::int64_t MostNeighbours() const { return this->Cells.MostNeighbours(); }
-  double RadiusOf(std::size_t sphere) const { return this->Pack.Radius[sphere]; }
-
-  // Collects the spheres around the centre at a sorted place, and which they are
-  void Gather(std::size_t i, LocalMultipoles::Neighbours& around,
-    std::vector<std::uint32_t>* spheres = nullptr) const
-  {
-    const CellList& cells = this->Cells;
-    thread_local std::vector<CellList::Range> ranges;
-    cells.FindRangesAround({ cells.X[i], cells.Y[i], cells.Z[i] }, 0, ranges);
-    around.Start(this->RadiusOf(this->SphereOf(i)));
-    if (spheres)
+  around.Start(cell.RadiusOf(cell.SphereOf(i)));
+  spheres.clear();
+  cell.ForEachAround(i,
+    [&](std::size_t j, double dx, double dy, double dz, double d2)
     {
-      spheres->clear();
-    }
-    for (const CellList::Range& range : ranges)
-    {
-      const double reach2 = range.Reach * range.Reach;
-      for (std::size_t j = range.Begin; j < range.End; ++j)
-      {
-        const double dx = cells.X[j] - range.X, dy = cells.Y[j] - range.Y,
-                     dz = cells.Z[j] - range.Z;
-        const double d2 = dx * dx + dy * dy + dz * dz;
-        if (d2 < reach2 && d2 > 0.0) // not the centre itself
-        {
-          around.Add(dx, dy, dz, d2, this->RadiusOf(cells.Index[j]), 0);
-          if (spheres)
-          {
-            spheres->push_back(cells.Index[j]);
-          }
-        }
-      }
-    }
-  }
-
-private:
-  SpherePack Pack;
-  CellList Cells;
-};
-
-namespace
-{
-// Runs pass(i, own) for every sorted place of this rank on all threads, and returns the sums of
-// what they add to `own`, over threads and ranks
-template <class MakePass>
-std::vector<std::int64_t> SumOverCentres(
-  std::int64_t centres, std::size_t count, Communicator& ranks, MakePass&& makePass)
-{
-  std::vector<std::int64_t> total(count, 0);
-#pragma omp parallel
-  {
-    std::vector<std::int64_t> own(count, 0);
-    auto pass = makePass(own.data());
-#pragma omp for schedule(dynamic, 8) nowait
-    for (std::int64_t i = ranks.Rank(); i < centres; i += ranks.Size())
-    {
-      pass(static_cast<std::size_t>(i));
-    }
-#pragma omp critical
-    std::transform(own.begin(), own.end(), total.begin(), total.begin(), std::plus<>());
-  }
-  ranks.Sum(total.data(), total.size());
-  return total;
+      around.Add(dx, dy, dz, d2, cell.RadiusOf(j), 0);
+      spheres.push_back(j);
+    });
 }
 }
 
@@ -142,7 +77,7 @@ SpectrumTerm::SpectrumTerm(
 
 double SpectrumTerm::Evaluate(const double* centres, double factor, double* gradient)
 {
-  const Surroundings cell(this->Contents, centres, this->Pack.CutOff);
+  const CellSurroundings cell(this->Contents, centres, this->Pack.CutOff);
   const std::vector<double> values = this->FindSpectrum(cell);
   double misfit = 0.0;
   std::vector<double> slopes;
@@ -159,18 +94,18 @@ double SpectrumTerm::Evaluate(const double* centres, double factor, double* grad
   return misfit;
 }
 
-std::vector<double> SpectrumTerm::FindSpectrum(const Surroundings& cell)
+std::vector<double> SpectrumTerm::FindSpectrum(const CellSurroundings& cell)
 {
   const std::size_t size = this->Multipoles.Size();
   const double largest = *std::max_element(this->Share.begin(), this->Share.end());
   this->Sums.resize(size * cell.Size());
-  const std::vector<std::int64_t> limbs = SumOverCentres(cell.Size(), 2 * Degrees, this->Ranks,
+  const std::vector<std::int64_t> limbs = SumOverCentres(cell, 2 * Degrees, this->Ranks,
     [&](std::int64_t* own)
     {
-      return [&, own, around = LocalMultipoles::Neighbours(this->Multipoles.GetSettings())](
-               std::size_t i) mutable
+      return [&, own, around = LocalMultipoles::Neighbours(this->Multipoles.GetSettings()),
+               spheres = std::vector<std::size_t>()](std::size_t i) mutable
       {
-        cell.Gather(i, around);
+        Gather(cell, i, around, spheres);
         double* const sums = &this->Sums[size * i];
         this->Multipoles.Sum(around, sums);
         double spectrum[Degrees];
@@ -192,7 +127,7 @@ std::vector<double> SpectrumTerm::FindSpectrum(const Surroundings& cell)
 }
 
 void SpectrumTerm::AddGradient(
-  const Surroundings& cell, const std::vector<double>& slopes, double factor, double* gradient)
+  const CellSurroundings& cell, const std::vector<double>& slopes, double factor, double* gradient)
 {
   double steepest = 0.0;
   for (double slope : slopes)
@@ -208,14 +143,14 @@ void SpectrumTerm::AddGradient(
   const double unit = *std::max_element(this->Contents.Radius.begin(), this->Contents.Radius.end());
   // A sphere gets one force from each centre around it, and as its own the opposite of all others
   const double scale = PairHistogram::FixedPointScale(1, 2 * cell.MostNeighbours(), Most);
-  const std::vector<std::int64_t> forces = SumOverCentres(cell.Size(), 3 * cell.Size(), this->Ranks,
+  const std::vector<std::int64_t> forces = SumOverCentres(cell, 3 * cell.Size(), this->Ranks,
     [&](std::int64_t* own)
     {
       return [&, own, around = LocalMultipoles::Neighbours(this->Multipoles.GetSettings()),
-               spheres = std::vector<std::uint32_t>(), lambda = std::vector<double>(size),
+               spheres = std::vector<std::size_t>(), lambda = std::vector<double>(size),
                pushes = std::vector<double>()](std::size_t i) mutable
       {
-        cell.Gather(i, around, &spheres);
+        Gather(cell, i, around, spheres);
         const std::size_t sphere = cell.SphereOf(i);
         double mu[Degrees];
         for (int l = 0; l < Degrees; ++l)

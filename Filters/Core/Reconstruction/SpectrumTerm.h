@@ -15,6 +15,8 @@
 
 namespace ruc
 {
+class CellSurroundings;
+
 /**
  * How far the spectrum of a cell is from the pack's (PackSpectrum): the mean over the degrees of
  * the squared difference in the pack's standard errors. Its sum is zeta, the three-point parameter
@@ -36,10 +38,9 @@ public:
   double Evaluate(const double* centres, double factor, double* gradient);
 
 private:
-  class Surroundings;
-  std::vector<double> FindSpectrum(const Surroundings& cell);
-  void AddGradient(
-    const Surroundings& cell, const std::vector<double>& slopes, double factor, double* gradient);
+  std::vector<double> FindSpectrum(const CellSurroundings& cell);
+  void AddGradient(const CellSurroundings& cell, const std::vector<double>& slopes, double factor,
+    double* gradient);
 
   CellContents Contents;
   const PackSpectrum& Pack;

@@ -83,7 +83,7 @@ TEST_P(MethodEquality, Hybrid)
 }
 
 // The other packs leave too few spheres inside
-TEST_P(MethodEquality, WithTheSpectrum)
+TEST_P(MethodEquality, WithSpectrumAndThirdOrder)
 {
   ExpectSame<Cell>(
     [](Cell* f)
@@ -91,6 +91,11 @@ TEST_P(MethodEquality, WithTheSpectrum)
       SmallCell(f);
       f->SetMaximumIterations(20);
       f->SetSpectrumWeight(1.0);
+      f->SetThirdOrderWeight(1.0);
+      f->SetThirdOrderDistance(0, 0.2);
+      f->SetThirdOrderDistance(1, 0.7);
+      f->SetThirdOrderClasses(1);
+      f->SetThirdOrderDegree(3);
     });
 }
 

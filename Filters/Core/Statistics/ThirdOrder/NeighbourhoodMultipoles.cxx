@@ -31,15 +31,16 @@ constexpr double Most = 1024.0;
 
 void CheckSettings(const NeighbourhoodSettings& settings)
 {
-  Range::From(0, HighestOfShells).Check("MultipoleDegree", settings.Degree);
-  Range::From(1, MostClasses).Check("MultipoleClasses", settings.Classes);
+  const std::string prefix = settings.Prefix, distances = prefix + "Distances";
+  Range::From(0, HighestOfShells).Check((prefix + "Degree").c_str(), settings.Degree);
+  Range::From(1, MostClasses).Check((prefix + "Classes").c_str(), settings.Classes);
   Range::From(2, 1000).Check("Blocks", settings.Blocks);
-  Require(settings.Distances.size() <= MostShells, "MultipoleDistances",
+  Require(settings.Distances.size() <= MostShells, distances.c_str(),
     Text("at most ", MostShells, " distances"), settings.Distances.size());
   double last = 0.0;
   for (double distance : settings.Distances)
   {
-    Require(std::isfinite(distance) && distance > last, "MultipoleDistances",
+    Require(std::isfinite(distance) && distance > last, distances.c_str(),
       "distances > 0 that ascend", Text(distance, " after ", last));
     last = distance;
   }
@@ -236,8 +237,8 @@ NeighbourhoodMultipoles MeasureNeighbourhoods(const PackShare& share,
 
   const double reach = result.Shells.Distances.back() + 2.0 * share.LargestRadius;
   const bool periodic = share.Observed.IsFullyPeriodic();
-  const std::string inside =
-    Text("a centre of every class at least ", reach, " from every face of the window");
+  const std::string inside = Text(settings.LeastCentres, " centres of every class at least ", reach,
+    " from every face of the window");
   Require(
     periodic || 2.0 * reach < 0.999 * share.Observed.ShortestEdge(), settings.Name, inside, "none");
   ThirdOrderSettings blocks;
@@ -254,7 +255,8 @@ NeighbourhoodMultipoles MeasureNeighbourhoods(const PackShare& share,
       ofBlocks.emplace_back(begin, begin + (sums.PlaceOf(0, 1) - sums.PlaceOf(0, 0)));
       result.Centres[r] += std::llround(ofBlocks.back()[0]);
     }
-    Require(result.Centres[r] > 0, settings.Name, inside, Text("none of class ", r + 1));
+    Require(result.Centres[r] >= settings.LeastCentres, settings.Name, inside,
+      Text(result.Centres[r], " of class ", r + 1));
     SetValues(ofBlocks, result);
   }
   return result;

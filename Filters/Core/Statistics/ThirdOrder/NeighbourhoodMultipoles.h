@@ -27,7 +27,9 @@ struct NeighbourhoodSettings
   int Degree = 8;  // from 0 to HighestOfShells of ShellMultipoles.h
   int Classes = 1; // from 1 to 4, see FindClasses
   int Blocks = 32; // about the number of blocks for the standard errors, from 2 to 1000
-  const char* Name = "Multipoles"; // what requires what, where a pack is refused
+  const char* Name = "Multipoles";  // what requires what, where a pack is refused
+  const char* Prefix = "Multipole"; // of the names of the first three
+  int LeastCentres = 1;             // of every class
 };
 
 /** Twelve shells from 0.04 to 1.44 mean diameters, the denser the closer. */
@@ -76,7 +78,8 @@ struct NeighbourhoodMultipoles
  * threads. `progress` is told the share that is done, on the calling thread. Collective.
  *
  * Throws std::invalid_argument, the same on every rank, for settings out of range, spheres that
- * overlap by more than 0.01 % of their volume, and a window without a centre of every class inside.
+ * overlap by more than 0.01 % of their volume, and a window without LeastCentres of every class
+ * inside.
  */
 NeighbourhoodMultipoles MeasureNeighbourhoods(const PackShare& share,
   const NeighbourhoodSettings& settings, Communicator& ranks,

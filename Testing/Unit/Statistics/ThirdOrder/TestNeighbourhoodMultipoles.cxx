@@ -343,7 +343,7 @@ TEST(NeighbourhoodMultipoles, WhatCannotBeIsRefused)
   settings = Settings(1);
   settings.Distances = { 4.0 };
   EXPECT_SAYS(Measure(ThePack().Pack, window, settings),
-    "Multipoles requires a centre of every class at least 6 from every face of the window");
+    "Multipoles requires 1 centres of every class at least 6 from every face of the window");
 }
 
 TEST(NeighbourhoodMultipoles, ClassesHaveAboutEqualVolumes)
