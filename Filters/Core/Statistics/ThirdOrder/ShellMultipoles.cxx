@@ -117,9 +117,9 @@ inline Caps::Caps(
   this->Legendre[1] = this->Cosine;
   for (int l = 1; l <= degree; ++l)
   {
+    const double next = (2.0 * l + 1.0) / (l + 1.0), before = l / (l + 1.0);
     this->Legendre[l + 1] =
-      ((2.0 * l + 1.0) * this->Cosine * this->Legendre[l] - double(l) * this->Legendre[l - 1]) /
-      (l + 1.0);
+      next * this->Cosine * this->Legendre[l] - before * this->Legendre[l - 1];
   }
   this->Of[0] = 2.0 * Pi * (one - this->Cosine);
   for (int l = 1; l <= degree; ++l)
@@ -135,6 +135,10 @@ void AddCaps(const ShellMultipoles::Neighbour& neighbour, double radius, const d
 {
   for (int n = 0; n < shells; n += NumberOfLanes)
   {
+    if (neighbour.Distance - neighbour.Radius >= radius + distances[n + NumberOfLanes - 1])
+    {
+      continue; // it reaches none of these shells
+    }
     Lanes block;
     Load(distances + n, block);
     const Caps caps(block, radius, neighbour, degree);
@@ -159,6 +163,10 @@ void FindPull(const ShellMultipoles::Neighbour& neighbour, double radius, const 
   Lanes away = {}, across[3] = {};
   for (int n = 0; n < shells; n += NumberOfLanes)
   {
+    if (neighbour.Distance - neighbour.Radius >= radius + distances[n + NumberOfLanes - 1])
+    {
+      continue; // it reaches none of these shells
+    }
     Lanes block;
     Load(distances + n, block);
     const Caps caps(block, radius, neighbour, degree);
