@@ -109,7 +109,7 @@ public:
   ///@{
   /**
    * The number of rays around a circle, 2 to 512; theta goes in steps of 360 / NumberOfDirections
-   * degrees. An even number >= 8 gives third-order parameters. Default: 20, steps of 18 degrees.
+   * degrees. An even number >= 8 gives third-order parameters. Default: 40, steps of 9 degrees.
    */
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
@@ -207,7 +207,7 @@ private:
   std::string Phases = "m m m";
   double MaximumLag = 0.0;
   int NumberOfLags = 277;
-  int NumberOfDirections = 20;
+  int NumberOfDirections = 40;
   int NumberOfThrows = 50000;
   bool StandardErrors = false;
   bool Multipoles = false;

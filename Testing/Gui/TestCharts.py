@@ -116,7 +116,7 @@ check("the titles with a second table", (view.LeftAxisTitle, view.BottomAxisTitl
 pv.Delete(view)
 
 # Images over lags show their middle slice, seen from above, with titled axes
-for source, port, titles, slice_number in ((three_point, 0, ["r1 (µm)", "r2 (µm)", "theta (degrees)"], 5),
+for source, port, titles, slice_number in ((three_point, 0, ["r1 (µm)", "r2 (µm)", "theta (degrees)"], 10),
                                            (of_pairs, 0, ["x (µm)", "y (µm)", "z (µm)"], 3)):
     view = pv.CreateView("RenderView", ViewSize=[400, 300])
     pv.Show(modes, view)

@@ -57,7 +57,7 @@ def properties_and_outputs():
     """Names, types, field data and spacing, and the outputs with and without standard errors."""
     pack = make_pack('periodic', periodic=1)
     source = ThreePointProbability(Input=pack)
-    defaults = {'Phases': 'm m m', 'MaximumLag': 0.0, 'NumberOfLags': 277, 'NumberOfDirections': 20, 'NumberOfThrows': 50000,
+    defaults = {'Phases': 'm m m', 'MaximumLag': 0.0, 'NumberOfLags': 277, 'NumberOfDirections': 40, 'NumberOfThrows': 50000,
                 'StandardErrors': 0, 'MemoryLimit': 4000.0, 'Seed': 1, 'WindowMargin': -1.0}
     assert {name: getattr(source, name) for name in defaults} == defaults
     for name, value in {**FEW, 'Phases': '1 2 2; m 1 2; m m m', 'StandardErrors': 1, 'Seed': 7}.items():
