@@ -52,6 +52,8 @@ bool SetOfMode(std::vector<Value>& list, int mode, Value value)
 vtkRUCUnitCellReconstruction::vtkRUCUnitCellReconstruction()
 {
   this->SetNumberOfOutputPorts(CellTables::NUMBER_OF_PORTS);
+  this->Search.Gradient.Neighbours.ContactWeight = 1.0;
+  this->Search.Gradient.Neighbours.PoreWeight = 1.0;
 }
 
 int vtkRUCUnitCellReconstruction::FillInputPortInformation(int port, vtkInformation* info)

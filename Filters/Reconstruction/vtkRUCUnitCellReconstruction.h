@@ -144,15 +144,18 @@ public:
    * one and a half times as many follow, on F2 and those terms together. Default: 1000.
    */
   RUCSetting(MaximumIterations, int, Search.Gradient.MaximumIterations);
-  /** The search ends when a cell without overlap has F2 at or below this; >= 0. Default: 0. */
+  /**
+   * The search ends when a cell without overlap has F2 at or below this, and its near neighbours
+   * and pores, where they count, differ by no more than another pack's would; >= 0. Default: 0.
+   */
   RUCSetting(TargetObjective, double, Search.Gradient.TargetObjective);
   /**
    * What the near neighbours of the cell weigh beside F2, >= 0: the gaps of all neighbours and the
-   * least gap of every sphere, against those of the pack. Gradient alone knows it. Default: 0,
-   * which means that F2 alone counts; 1 is what suits.
+   * least gap of every sphere, against those of the pack. Gradient alone knows it, and only of a
+   * pack, not of a table. 0 means that they do not count. Default: 1.
    */
   RUCSetting(ContactWeight, double, Search.Gradient.Neighbours.ContactWeight);
-  /** The same for the widths of the pores. Default: 0. */
+  /** The same for the widths of the pores. Default: 1. */
   RUCSetting(PoreWeight, double, Search.Gradient.Neighbours.PoreWeight);
   /**
    * The same for the spectrum of zeta, Z(l), l = 2 to 8, of vtkRUCThirdOrderParameters. The pack

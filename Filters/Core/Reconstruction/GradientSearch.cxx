@@ -21,9 +21,9 @@ constexpr int IterationsOfRound = 40, MostRounds = 40;
 constexpr double LeastSoftProgress = 0.02; // of F2 in IterationsOfRound
 constexpr double LeastOverlap = 3e-7;      // of a contact, that events take out without a trace
 constexpr double FirstStepIfDense = 0.1;
-// For neighbours and pores
-constexpr double ShareOfReference = 0.5; // F0 in F2 of the first descent
-constexpr int LatticesOfSearch = 3;
+// For neighbours and pores; found on the example pack
+constexpr double ShareOfReference = 0.1; // F0 in F2 of the first descent
+constexpr double ShareOfObjective = 0.8; // of the target objective, at which they are added
 
 class Search
 {
@@ -181,10 +181,18 @@ private:
   bool HasNeighbours() const { return !this->Settings.Neighbours.Empty(); }
   bool WithNeighbours() const { return this->State.Reference > 0.0; }
 
-  // Whether the target objective is met, which ends the descent
+  // The F2 that ends the descent. Neighbours and pores cost some of it, so that they are added
+  // below the target.
+  double ObjectiveOfStage() const
+  {
+    const bool first = this->HasNeighbours() && !this->WithNeighbours();
+    return this->Settings.TargetObjective * (first ? ShareOfObjective : 1.0);
+  }
+
+  // Whether it is met
   bool MeetsObjective() const
   {
-    return this->Best.Overlap.IsNone() && this->Best.Objective <= this->Settings.TargetObjective &&
+    return this->Best.Overlap.IsNone() && this->Best.Objective <= this->ObjectiveOfStage() &&
       (!this->WithNeighbours() || this->BestMisfits.Largest() <= 1.0);
   }
 
@@ -407,7 +415,7 @@ private:
     const bool fits = this->Terms.Misfits.Largest() <= 1.0;
     const bool due = iterations % IterationsBetweenKept == 0;
     const bool promising =
-      fits && objective <= this->Settings.TargetObjective && objective < 0.99 * this->State.Tried;
+      fits && objective <= this->ObjectiveOfStage() && objective < 0.99 * this->State.Tried;
     if (due || promising)
     {
       this->State.Tried = objective;
@@ -468,33 +476,5 @@ UnitCell SearchByGradient(const CellContents& contents, const TwoPointProbabilit
     search.Start();
   }
   return search.Run();
-}
-
-double MostIterations(const GradientSearchSettings& settings)
-{
-  const double first = settings.MaximumIterations;
-  return settings.Neighbours.Empty() ? first : first + LatticesOfSearch * std::ceil(0.5 * first);
-}
-
-Estimate EstimateGradientSearch(
-  const CellFigures& cell, const LagGrid& lags, const GradientSearchSettings& settings)
-{
-  const NeighbourTarget& neighbours = settings.Neighbours;
-  const double first = settings.MaximumIterations;
-  const double evaluation = EstimateEvaluation(cell, lags, true);
-  Estimate estimate{ cell.Spheres * SecondsPerStartedSphere + (first + 1.0) * evaluation,
-    (cell.Spheres * 1000.0 + EstimateObjectiveBytes(cell, lags)) / BytesOfMegabyte, 0.0 };
-  if (neighbours.IsWanted())
-  {
-    Estimate terms;
-    terms += neighbours.PoreWeight > 0.0 ? EstimatePoreTerm(cell.Spheres) : Estimate();
-    terms += neighbours.SpectrumWeight > 0.0 ? EstimateSpectrumTerm(cell) : Estimate();
-    terms += neighbours.ThirdOrderWeight > 0.0 ? EstimateThirdOrderTerm(cell, settings.ThirdOrder)
-                                               : Estimate();
-    estimate.Seconds += LatticesOfSearch * std::ceil(0.5 * first) * (evaluation + terms.Seconds);
-    estimate.MegabytesOfRank += terms.MegabytesOfRank;
-  }
-  estimate += EstimateDenseStart(cell);
-  return estimate;
 }
 }

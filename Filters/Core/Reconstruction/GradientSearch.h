@@ -54,6 +54,8 @@ constexpr double LeastProgress = 1e-3;
  * far, for a search that is stopped or whose last cell cannot be freed.
  */
 constexpr int IterationsBetweenKept = 100;
+/** Near neighbours and pores are fitted with so many lattices of the pores, one after the other. */
+constexpr int LatticesOfSearch = 3;
 
 /**
  * The length of the first step of a descent, over all centres together: a fortieth of the mean
@@ -71,9 +73,9 @@ double MostIterations(const GradientSearchSettings& settings);
  *
  * With GradientSearchSettings::Neighbours the search then goes on with F2 and these terms
  * together (SearchObjective), three times for half as many iterations, each with another
- * lattice of the pores; the best cell is that with the least sum. F0 is half of F2 as the first
- * descent left it. The target objective ends the first descent, and then the search once all
- * misfits are at most 1 as well.
+ * lattice of the pores; the best cell is that with the least sum. F0 is a tenth of F2 as the first
+ * descent left it. The first descent ends at 0.8 of the target objective, and the search at the
+ * target once all misfits are at most 1 as well.
  *
  * A dense cell begins with a pack by events (MakeDensePack). L-BFGS descends first with soft
  * contacts, then with multipliers (ContactMultipliers), and every cell that is kept is freed by

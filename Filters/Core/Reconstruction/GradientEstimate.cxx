@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ruc/Reconstruction/GradientSearch.h"
+
+#include <cmath>
+
+namespace ruc
+{
+double MostIterations(const GradientSearchSettings& settings)
+{
+  const double first = settings.MaximumIterations;
+  return settings.Neighbours.Empty() ? first : first + LatticesOfSearch * std::ceil(0.5 * first);
+}
+
+Estimate EstimateGradientSearch(
+  const CellFigures& cell, const LagGrid& lags, const GradientSearchSettings& settings)
+{
+  const NeighbourTarget& neighbours = settings.Neighbours;
+  const double first = settings.MaximumIterations;
+  const double evaluation = EstimateEvaluation(cell, lags, true);
+  Estimate estimate{ cell.Spheres * SecondsPerStartedSphere + (first + 1.0) * evaluation,
+    (cell.Spheres * 1000.0 + EstimateObjectiveBytes(cell, lags)) / BytesOfMegabyte, 0.0 };
+  if (neighbours.IsWanted())
+  {
+    Estimate terms;
+    terms += neighbours.PoreWeight > 0.0 ? EstimatePoreTerm(cell.Spheres) : Estimate();
+    terms += neighbours.SpectrumWeight > 0.0 ? EstimateSpectrumTerm(cell) : Estimate();
+    terms += neighbours.ThirdOrderWeight > 0.0 ? EstimateThirdOrderTerm(cell, settings.ThirdOrder)
+                                               : Estimate();
+    estimate.Seconds += LatticesOfSearch * std::ceil(0.5 * first) * (evaluation + terms.Seconds);
+    estimate.MegabytesOfRank += terms.MegabytesOfRank;
+  }
+  estimate += EstimateDenseStart(cell);
+  return estimate;
+}
+}
