@@ -309,8 +309,10 @@ void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents
 {
   ruc::LagLimit::ForCell(contents.Edge).Check(target.Lags);
   this->RequireMemory(CellEstimate::MegabytesOf(contents, target.Lags, search), ranks);
-  const double most = search.IsByPopulation() ? search.Annealed.MaximumGenerations + 1.0
-                                              : ruc::MostIterations(search.Gradient) + 3.0;
+  const ruc::StageLengths lengths(
+    search.Gradient.MaximumIterations, !search.Gradient.Neighbours.Empty());
+  const double most =
+    search.IsByPopulation() ? search.Annealed.MaximumGenerations + 1.0 : lengths.All() + 3.0;
   CellSearch::Callbacks callbacks;
   callbacks.StopReason = [&](int cell, const ruc::SearchState& state)
   {

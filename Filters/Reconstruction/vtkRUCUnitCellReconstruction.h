@@ -140,8 +140,9 @@ public:
   RUCSetting(SaturationTolerance, double, Cell.SaturationTolerance);
   /**
    * The most iterations of L-BFGS on F2, >= 0. The search ends earlier if F2 falls by less than 0.1
-   * % in 100 iterations. With ContactWeight, PoreWeight, SpectrumWeight or ThirdOrderWeight up to
-   * one and a half times as many follow, on F2 and those terms together. Default: 1000.
+   * % in 100 iterations. With ContactWeight, PoreWeight, SpectrumWeight or ThirdOrderWeight half as
+   * many more at most: 0.6 of this on F2 alone, then 0.9 on F2 and those terms together. Default:
+   * 1000.
    */
   RUCSetting(MaximumIterations, int, Search.Gradient.MaximumIterations);
   /**

@@ -6,19 +6,23 @@
 
 namespace ruc
 {
-double MostIterations(const GradientSearchSettings& settings)
+StageLengths::StageLengths(int maximum, bool withNeighbours)
+  : First(maximum)
 {
-  const double first = settings.MaximumIterations;
-  return settings.Neighbours.Empty() ? first : first + LatticesOfSearch * std::ceil(0.5 * first);
+  if (withNeighbours)
+  {
+    this->First = static_cast<int>(std::ceil(0.6 * maximum));
+    this->OfLattice = static_cast<int>(std::ceil(0.3 * maximum));
+  }
 }
 
 Estimate EstimateGradientSearch(
   const CellFigures& cell, const LagGrid& lags, const GradientSearchSettings& settings)
 {
   const NeighbourTarget& neighbours = settings.Neighbours;
-  const double first = settings.MaximumIterations;
+  const StageLengths lengths(settings.MaximumIterations, neighbours.IsWanted());
   const double evaluation = EstimateEvaluation(cell, lags, true);
-  Estimate estimate{ cell.Spheres * SecondsPerStartedSphere + (first + 1.0) * evaluation,
+  Estimate estimate{ cell.Spheres * SecondsPerStartedSphere + (lengths.All() + 1.0) * evaluation,
     (cell.Spheres * 1000.0 + EstimateObjectiveBytes(cell, lags)) / BytesOfMegabyte, 0.0 };
   if (neighbours.IsWanted())
   {
@@ -27,7 +31,7 @@ Estimate EstimateGradientSearch(
     terms += neighbours.SpectrumWeight > 0.0 ? EstimateSpectrumTerm(cell) : Estimate();
     terms += neighbours.ThirdOrderWeight > 0.0 ? EstimateThirdOrderTerm(cell, settings.ThirdOrder)
                                                : Estimate();
-    estimate.Seconds += LatticesOfSearch * std::ceil(0.5 * first) * (evaluation + terms.Seconds);
+    estimate.Seconds += lengths.WithNeighbours() * terms.Seconds;
     estimate.MegabytesOfRank += terms.MegabytesOfRank;
   }
   estimate += EstimateDenseStart(cell);

@@ -202,14 +202,16 @@ private:
     return this->MeetsObjective() && this->WithNeighbours() == this->HasNeighbours();
   }
 
-  int IterationsOfLattice() const { return (this->Settings.MaximumIterations + 1) / 2; }
+  StageLengths Lengths() const
+  {
+    return StageLengths(this->Settings.MaximumIterations, this->HasNeighbours());
+  }
 
   bool StageIsOver() const
   {
     const double iterations = this->State.Descent.Iterations - this->State.Before;
-    return iterations >= (this->WithNeighbours()
-                             ? 1.0 * LatticesOfSearch * this->IterationsOfLattice()
-                             : this->Settings.MaximumIterations);
+    const StageLengths lengths = this->Lengths();
+    return iterations >= (this->WithNeighbours() ? lengths.WithNeighbours() : lengths.First);
   }
 
   // A dense cell adds the neighbours between its soft contacts and the multipliers
@@ -401,7 +403,7 @@ private:
       this->Dense ? this->AfterDenseIteration(descent) : this->AfterLooseIteration(iterations);
     const int since = descent.Iterations - this->State.Before;
     if (this->WithNeighbours() && endedBy == EndReason::None && since > 0 &&
-      since % this->IterationsOfLattice() == 0)
+      since % this->Lengths().OfLattice == 0)
     {
       this->MoveLattice();
     }

@@ -54,8 +54,22 @@ constexpr double LeastProgress = 1e-3;
  * far, for a search that is stopped or whose last cell cannot be freed.
  */
 constexpr int IterationsBetweenKept = 100;
-/** Near neighbours and pores are fitted with so many lattices of the pores, one after the other. */
-constexpr int LatticesOfSearch = 3;
+/** The most iterations of the stages of a search. */
+struct StageLengths
+{
+  /**
+   * `maximum` is GradientSearchSettings::MaximumIterations. Without further terms it is all there
+   * is; otherwise 0.6 of it come before them, and 0.3 with each lattice of the pores.
+   */
+  StageLengths(int maximum, bool withNeighbours);
+
+  int First;
+  int OfLattice = 0;
+  static constexpr int Lattices = 3; // one after the other
+
+  double WithNeighbours() const { return double(Lattices) * this->OfLattice; }
+  double All() const { return this->First + this->WithNeighbours(); }
+};
 
 /**
  * The length of the first step of a descent, over all centres together: a fortieth of the mean
@@ -63,17 +77,14 @@ constexpr int LatticesOfSearch = 3;
  */
 double FirstStepOf(const CellContents& contents);
 
-/** The most iterations of a search, with those that near neighbours and pores take. */
-double MostIterations(const GradientSearchSettings& settings);
-
 /**
  * Looks for the periodic cell with the given contents whose two-point probability is nearest to the
  * target (13), without overlap (14). It begins with random centres, pushes their overlap out, runs
  * L-BFGS on F2 with an overlap penalty, and removes the last overlap exactly.
  *
  * With GradientSearchSettings::Neighbours the search then goes on with F2 and these terms
- * together (SearchObjective), three times for half as many iterations, each with another
- * lattice of the pores; the best cell is that with the least sum. F0 is a tenth of F2 as the first
+ * together (SearchObjective), with one lattice of the pores after the other; the best cell is
+ * that with the least sum. F0 is a tenth of F2 as the first
  * descent left it. The first descent ends at 0.8 of the target objective, and the search at the
  * target once all misfits are at most 1 as well.
  *
