@@ -174,7 +174,7 @@ TEST(NeighbourTerms, BringNeighboursAndPoresNear)
   EXPECT_LT(with.Nearest, 0.1 * without.Nearest);
   EXPECT_LT(cell.Objective, 2.0 * other.Objective);
   EXPECT_EQ(cell.Convergence.back().Objective, cell.Objective);
-  EXPECT_LE(static_cast<int>(cell.Convergence.size()), 60 + 90 + 4);
+  EXPECT_LE(static_cast<int>(cell.Convergence.size()), 36 + 54 + 4);
 }
 
 TEST(NeighbourTerms, OffAreAsIfTheyDidNotExist)
@@ -194,9 +194,8 @@ TEST(NeighbourTerms, ResumeToTheSameEndOnAnyRanks)
   ruc::Communicator alone;
   const ruc::UnitCell whole = Search(settings, alone, nullptr,
     [&](const ruc::GradientState& state) { states.push_back(ruc::WriteCheckpoint(state, key)); });
-  ASSERT_GT(states.size(), 40u);
-  for (std::size_t n :
-    { std::size_t(8), std::size_t(19), std::size_t(25), std::size_t(30), states.size() - 1 })
+  ASSERT_EQ(states.size(), 30u); // 12 of F2 alone, and 6 with each of three lattices
+  for (std::size_t n : { 5, 11, 14, 18, 29 })
   {
     const ruc::GradientState state = ruc::ReadGradientCheckpoint(states[n], key);
     const int ranks = 1 + static_cast<int>(n % 3);
@@ -263,13 +262,13 @@ TEST(NeighbourTerms, AStateOfAnotherPackOrAForgedOneIsRefused)
 TEST(NeighbourTerms, TheTargetObjectiveWaitsForTheMisfits)
 {
   ruc::Communicator alone;
-  ruc::GradientSearchSettings settings = Settings(100);
+  ruc::GradientSearchSettings settings = Settings(200);
   settings.TargetObjective = 0.4;
   const ruc::UnitCell cell = Search(settings, alone);
   ASSERT_EQ(cell.EndedBy, ruc::EndReason::TargetObjective);
   EXPECT_LE(cell.Objective, 0.4);
   EXPECT_LE(cell.Convergence.back().Misfits.Largest(), 1.0);
-  EXPECT_LT(cell.Iterations, 250);
+  EXPECT_LT(cell.Iterations, 300);
 }
 
 // Between its soft contacts and the multipliers
