@@ -84,6 +84,10 @@ ruc::Estimate CellEstimate::OfPack(const ruc::PackFigures& pack, const CellPrope
       cell.Radius.push_back(0.5 * diameter);
     }
   }
+  if (properties.DiametersPerMode != 1)
+  {
+    cell = cell.Divided(properties.DiametersPerMode);
+  }
   estimate.Automatic = DescribeSize(properties, cell);
   const ruc::LagGrid lags =
     ruc::LagLimit::ForCell(FindEdge(cell)).MakeGrid(properties.MaximumLag, properties.NumberOfLags);

@@ -64,6 +64,13 @@ std::vector<std::string> CellMessages::FindWarnings(const std::vector<CellSearch
         ruc::IsFromOutside(found.Cell.EndedBy) ? "; it was stopped early."
                                                : "; it is too dense to free."));
     }
+    else if (!found.Cell.TooNear.IsNone())
+    {
+      warnings.push_back(Text("cell ", found.Number + 1, " has ", found.Cell.TooNear.Pairs,
+        " pairs of spheres nearer than MinimumGap and MinimumGapShare require",
+        ruc::IsFromOutside(found.Cell.EndedBy) ? "; it was stopped early."
+                                               : "; it is too dense for such gaps."));
+    }
   }
   const auto wasStopped = [](const CellSearch::FoundCell& found)
   { return ruc::IsFromOutside(found.Cell.EndedBy); };

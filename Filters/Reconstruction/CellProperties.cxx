@@ -33,13 +33,11 @@ ruc::ModeAmounts CellProperties::FindAmounts(const ruc::ModeAmounts& ofInput) co
 ruc::CellContents CellProperties::FindContents(
   const ruc::ModeAmounts& amounts, const std::function<double()>& findEdge) const
 {
-  if (!this->ModeCounts.empty())
-  {
-    return ruc::FindCellContents(amounts, this->ModeCounts);
-  }
-  if (this->NumberOfParticles > 0)
-  {
-    return ruc::FindCellContents(amounts, this->NumberOfParticles);
-  }
-  return ruc::FindCellContents(amounts, this->CellSize > 0.0 ? this->CellSize : findEdge());
+  ruc::CellContents contents = !this->ModeCounts.empty()
+    ? ruc::FindCellContents(amounts, this->ModeCounts)
+    : this->NumberOfParticles > 0
+    ? ruc::FindCellContents(amounts, this->NumberOfParticles)
+    : ruc::FindCellContents(amounts, this->CellSize > 0.0 ? this->CellSize : findEdge());
+  contents.Gap = this->Gap;
+  return contents;
 }

@@ -21,6 +21,8 @@ struct CellProperties
   double SaturationTolerance = 0.0005; // an absolute probability
   std::vector<double> ModeDiameters;   // take the place of those of the input
   std::vector<int> ModeCounts;         // take the place of CellSize and NumberOfParticles
+  int DiametersPerMode = 1;            // sizes of spheres in a mode; 0 means one for each sphere
+  ruc::LeastGap Gap;                   // between the surfaces of any two spheres
 
   /** See ruc::SearchSettings. The ranges of MaximumLag and NumberOfLags come from ruc::LagLimit. */
   template <class Self, class Visit>
@@ -29,6 +31,9 @@ struct CellProperties
     visit("NumberOfParticles", self.NumberOfParticles, ruc::Range::AtLeast(0));
     visit("CellSize", self.CellSize, ruc::Range::AtLeast(0));
     visit("SaturationTolerance", self.SaturationTolerance, ruc::Range::Above(0));
+    visit("DiametersPerMode", self.DiametersPerMode, ruc::Range::AtLeast(0));
+    visit("MinimumGap", self.Gap.Length, ruc::Range::AtLeast(0));
+    visit("MinimumGapShare", self.Gap.Share, ruc::Range::AtLeast(0));
   }
   template <class Self, class Visit>
   static void VisitEnd(Self&, Visit&&)

@@ -62,7 +62,8 @@ struct ByPopulation
 CellSearch::FoundCell NewCell(int number, const ruc::TwoPointProbability& target)
 {
   const ruc::TwoPointProbability none(target.Modes, target.Lags);
-  return { number, { {}, ruc::Window(), 0.0, 0.0, {}, 0, ruc::EndReason::None, none, {} }, {}, {} };
+  return { number, { {}, ruc::Window(), 0.0, 0.0, {}, {}, 0, ruc::EndReason::None, none, {} }, {},
+    {} };
 }
 
 // Whether the box is that of the contents, or larger, as where spheres jam
@@ -332,7 +333,7 @@ std::size_t CellSearch::FindBest(const std::vector<FoundCell>& cells)
 {
   const auto better = [](const FoundCell& a, const FoundCell& b)
   {
-    const bool freeA = a.Cell.Overlap.IsNone(), freeB = b.Cell.Overlap.IsNone();
+    const bool freeA = a.Cell.TooNear.IsNone(), freeB = b.Cell.TooNear.IsNone();
     return freeA != freeB ? freeA : a.Cell.Objective < b.Cell.Objective;
   };
   return std::min_element(cells.begin(), cells.end(), better) - cells.begin();

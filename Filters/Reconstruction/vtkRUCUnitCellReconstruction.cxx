@@ -146,6 +146,9 @@ void vtkRUCUnitCellReconstruction::CheckProperties() const
   ruc::Range::AtLeast(0).Check("TimeLimit", this->TimeLimit);
   ruc::Range::AtLeast(0).Check("Seed", this->GetSeed());
   this->Cell.Check();
+  ruc::Require(this->Search.Method == GRADIENT || this->Cell.Gap.IsNone(),
+    "MinimumGap and MinimumGapShare", "0 where Method is not Gradient",
+    std::max(this->GetMinimumGap(), this->GetMinimumGapShare()));
   if (this->Search.Method == ANNEALED_POPULATION)
   {
     ruc::Require(this->NumberOfOperatorWeights == ruc::NumberOfGeneticOperators, "OperatorWeights",
@@ -241,6 +244,11 @@ void vtkRUCUnitCellReconstruction::Execute(
          "of "
          "S_rs tells neither near neighbours nor pores nor third order: they require a pack.");
   }
+  if (this->Cell.DiametersPerMode != 1 && ranks.Rank() == 0)
+  {
+    vtkWarningMacro(<< "DiametersPerMode does not count, as a table of S_rs tells no diameters "
+                       "within a mode: it requires a pack.");
+  }
   this->Reconstruct(
     contents, target, this->Search, PackData::FindLengthUnit(table, ranks), outputs, ranks, report);
 }
@@ -260,8 +268,12 @@ void vtkRUCUnitCellReconstruction::Execute(
     return this->FindEdge(ruc::SumPairs(pack.Share, lags, ranks, report.ForPairs(ranks)),
       pack.Share.MeanDiameter(), ranks);
   };
-  const ruc::CellContents contents =
+  ruc::CellContents contents =
     this->Cell.FindContents(this->Cell.FindAmounts(pack.Share), findEdge);
+  if (this->Cell.DiametersPerMode != 1)
+  {
+    contents = ruc::DivideModes(contents, this->Cell.DiametersPerMode, pack.Share, ranks);
+  }
   const ruc::LagGrid lags =
     ruc::LagLimit::ForCell(contents.Edge).MakeGrid(this->Cell.MaximumLag, this->Cell.NumberOfLags);
   const ruc::TwoPointProbability target =

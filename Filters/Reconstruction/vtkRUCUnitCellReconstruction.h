@@ -139,6 +139,20 @@ public:
    */
   RUCSetting(SaturationTolerance, double, Cell.SaturationTolerance);
   /**
+   * The diameters that the spheres of a mode have in the cell, >= 0. 1 gives all the volume mean
+   * diameter, as in the paper; more give quantiles of the pack's own diameters in the mode, so that
+   * number, surface and volume agree; 0 gives each sphere of the cell its own. Time and memory of
+   * F2 grow with its square. It takes a pack, not a table. Default: 1.
+   */
+  RUCSetting(DiametersPerMode, int, Cell.DiametersPerMode);
+  /**
+   * The least distance of the surfaces of any two spheres of the cell, in the unit of the pack, >=
+   * 0, as meshes need it. Gradient alone knows it. Default: 0.
+   */
+  RUCSetting(MinimumGap, double, Cell.Gap.Length);
+  /** What is added to it, in the sum of both radii, >= 0. Default: 0. */
+  RUCSetting(MinimumGapShare, double, Cell.Gap.Share);
+  /**
    * The most iterations of L-BFGS on F2, >= 0. The search ends earlier if F2 falls by less than 0.1
    * % in 100 iterations. With ContactWeight, PoreWeight, SpectrumWeight or ThirdOrderWeight half as
    * many more at most: 0.6 of this on F2 alone, then 0.9 on F2 and those terms together. Default:

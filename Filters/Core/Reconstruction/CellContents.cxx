@@ -43,6 +43,41 @@ CellContents ContentsOfVolume(const ModeAmounts& amounts, double volume)
   }
   return FindCellContents(amounts, counts);
 }
+
+// The radii of a mode's spheres on all ranks, in their order
+std::vector<double> RadiiOfMode(const PackShare& pack, int mode, Communicator& ranks)
+{
+  std::vector<double> radii;
+  for (std::size_t i = 0; i < pack.Own.Size(); ++i)
+  {
+    if (pack.Own.Mode.empty() || pack.Own.Mode[i] == mode)
+    {
+      radii.push_back(pack.Own.Radius[i]);
+    }
+  }
+  radii = ranks.Concatenate(radii);
+  std::sort(radii.begin(), radii.end());
+  return radii;
+}
+
+// The k-th of the places that cut `all` into equal parts
+int CutAt(int all, int k, int parts)
+{
+  return static_cast<int>(std::int64_t(all) * k / parts);
+}
+
+// The volume mean of the radii, which are in their order, from one share of their number to another
+double VolumeMean(const std::vector<double>& radii, double from, double to)
+{
+  double cubes = 0.0;
+  for (std::size_t i = 0; i < radii.size(); ++i)
+  {
+    const double begin = std::max(i / double(radii.size()), from);
+    const double end = std::min((i + 1) / double(radii.size()), to);
+    cubes += std::max(end - begin, 0.0) * std::pow(radii[i], 3);
+  }
+  return std::cbrt(cubes / (to - from));
+}
 }
 
 ModeAmounts::ModeAmounts(const PackTotals& pack)
@@ -101,6 +136,22 @@ int CellContents::NumberOfSpheres() const
   return std::accumulate(this->Count.begin(), this->Count.end(), 0);
 }
 
+int CellContents::NumberOfModes() const
+{
+  return this->ModeOf(static_cast<int>(this->Count.size()) - 1);
+}
+
+CellContents CellContents::Enlarged() const
+{
+  CellContents enlarged = *this;
+  for (double& radius : enlarged.Radius)
+  {
+    radius = this->Gap.Enlarged(radius);
+  }
+  enlarged.Gap = {};
+  return enlarged;
+}
+
 double CellContents::Fraction() const
 {
   double volume = 0.0;
@@ -132,7 +183,7 @@ SpherePack CellContents::MakePack(const double* centres) const
   SpherePack pack;
   for (std::size_t m = 0; m < this->Count.size(); ++m)
   {
-    pack.Mode.insert(pack.Mode.end(), this->Count[m], static_cast<int>(m) + 1);
+    pack.Mode.insert(pack.Mode.end(), this->Count[m], this->ModeOf(static_cast<int>(m)));
     pack.Radius.insert(pack.Radius.end(), this->Count[m], this->Radius[m]);
   }
   pack.X.resize(pack.Mode.size());
@@ -199,15 +250,48 @@ CellContents FindCellContents(const ModeAmounts& amounts, const std::vector<int>
   return contents;
 }
 
+CellContents DivideModes(
+  const CellContents& contents, int diameters, const PackShare& pack, Communicator& ranks)
+{
+  CellContents divided = contents;
+  divided.Count.clear();
+  divided.Radius.clear();
+  divided.Mode.clear();
+  for (int m = 0; m < contents.NumberOfModes(); ++m)
+  {
+    const int spheres = contents.Count[m];
+    const std::vector<double> sizes = RadiiOfMode(pack, m + 1, ranks);
+    const int types = static_cast<int>(
+      std::min<std::size_t>(diameters == 0 ? spheres : std::min(diameters, spheres), sizes.size()));
+    double volume = 0.0; // of the spheres, in cubes of radii
+    for (int t = 0; t < types; ++t)
+    {
+      const int first = CutAt(spheres, t, types), last = CutAt(spheres, t + 1, types);
+      divided.Count.push_back(last - first);
+      divided.Radius.push_back(VolumeMean(sizes, first / double(spheres), last / double(spheres)));
+      divided.Mode.push_back(m + 1);
+      volume += (last - first) * std::pow(divided.Radius.back(), 3);
+    }
+    const double scale = contents.Radius[m] * std::cbrt(spheres / volume);
+    std::for_each(
+      divided.Radius.end() - types, divided.Radius.end(), [&](double& radius) { radius *= scale; });
+  }
+  return divided;
+}
+
 double OnePointDifference(
   const CellContents& contents, const std::vector<double>& packFractions, double edge)
 {
-  double sum = 0.0;
-  for (std::size_t m = 0; m < contents.Count.size(); ++m)
+  std::vector<double> differences = packFractions;
+  for (std::size_t t = 0; t < contents.Count.size(); ++t)
   {
-    const double difference = packFractions[m] -
-      contents.Count[m] * SphereVolume(contents.Radius[m]) / (edge * edge * edge);
-    sum += difference * difference;
+    differences[contents.ModeOf(static_cast<int>(t)) - 1] -=
+      contents.Count[t] * SphereVolume(contents.Radius[t]) / (edge * edge * edge);
+  }
+  double sum = 0.0;
+  for (int m = 0; m < contents.NumberOfModes(); ++m)
+  {
+    sum += differences[m] * differences[m];
   }
   return std::sqrt(sum);
 }

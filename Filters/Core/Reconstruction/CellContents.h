@@ -33,25 +33,52 @@ struct ModeAmounts
   double MeanDiameter() const;
 };
 
-/** What a cubic periodic cell is filled with, and its size. */
+/** The least distance of two surfaces in a cell; both parts count together. */
+struct LeastGap
+{
+  double Length = 0.0; // >= 0
+  double Share = 0.0;  // >= 0, of the sum of both radii
+
+  bool IsNone() const { return this->Length == 0.0 && this->Share == 0.0; }
+  /** Spheres with such radii touch where the gap of the spheres themselves is the least one. */
+  double Enlarged(double radius) const { return radius * (1.0 + this->Share) + 0.5 * this->Length; }
+
+  template <class Self>
+  static auto Fields(Self& self)
+  {
+    return std::tie(self.Length, self.Share);
+  }
+};
+
+/**
+ * What a cubic periodic cell is filled with, and its size. Its spheres have types: each mode has
+ * one, or several diameters (DivideModes). Types are in the order of their modes.
+ */
 struct CellContents
 {
-  std::vector<int> Count;     // n_i, the spheres of every mode
-  std::vector<double> Radius; // r_i, half the volume mean diameter of the pack's mode
+  std::vector<int> Count;     // n_i, the spheres of every type
+  std::vector<double> Radius; // r_i, half the volume mean diameter of what it stands for
   double Edge = 0.0;          // h_c, equation (12)
+  std::vector<int> Mode = {}; // of every type, from 1; empty where types are modes
+  LeastGap Gap = {};
 
   int NumberOfSpheres() const;
+  int NumberOfModes() const;
+  int ModeOf(int type) const { return this->Mode.empty() ? type + 1 : this->Mode[type]; }
 
   /** The part of the cell that its spheres fill. */
   double Fraction() const;
 
-  /** The radius of every sphere, in the order of the modes. */
+  /** The radius of every sphere, in the order of the types. */
   std::vector<double> Radii() const;
+
+  /** The same cell of spheres enlarged by the least gap, which must not overlap. */
+  CellContents Enlarged() const;
 
   /** The periodic cube from 0 to the edge. */
   Window MakeBox() const;
   /**
-   * Returns the spheres in the order of the modes, first all of mode 1. `centres` holds x, y, z of
+   * Returns the spheres in the order of the types, first all of mode 1. `centres` holds x, y, z of
    * each, anywhere in space; they are wrapped into the box.
    */
   SpherePack MakePack(const double* centres) const;
@@ -59,7 +86,7 @@ struct CellContents
   template <class Self>
   static auto Fields(Self& self)
   {
-    return std::tie(self.Count, self.Radius, self.Edge);
+    return std::tie(self.Count, self.Radius, self.Edge, self.Mode, self.Gap);
   }
 };
 
@@ -81,6 +108,16 @@ CellContents FindCellContents(const ModeAmounts& amounts, int spheres);
 
 /** The same for given numbers of spheres of every mode. */
 CellContents FindCellContents(const ModeAmounts& amounts, const std::vector<int>& counts);
+
+/**
+ * Returns contents with up to `diameters` >= 1 sizes in every mode in place of one, each of about
+ * as many spheres of the cell. The k-th size is the volume mean of as large a part of the pack's
+ * spheres of that mode in the order of their size; all are scaled a little, so that the volume of
+ * the mode stays. 0 means one size for each sphere of the cell. Every rank holds all radii of one
+ * mode of the pack for a while. Collective.
+ */
+CellContents DivideModes(
+  const CellContents& contents, int diameters, const PackShare& pack, Communicator& ranks);
 
 /** F1, equation (11), of a cell of the given edge. */
 double OnePointDifference(

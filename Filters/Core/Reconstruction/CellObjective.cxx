@@ -17,12 +17,23 @@ namespace
 // Chunks are small, so that ranks and threads get equal shares of a small cell
 constexpr std::size_t ChunkOfCentres = 8;
 
-std::vector<SphereType> CellTypes(const std::vector<double>& radii)
+std::vector<SphereType> CellTypes(const std::vector<double>& radii, const std::vector<int>& modes)
 {
   std::vector<SphereType> types;
-  for (std::size_t m = 0; m < radii.size(); ++m)
+  for (std::size_t t = 0; t < radii.size(); ++t)
   {
-    types.push_back({ static_cast<int>(m) + 1, radii[m] });
+    types.push_back({ modes.empty() ? static_cast<int>(t) + 1 : modes[t], radii[t] });
+  }
+  return types;
+}
+
+// The type of every sphere, in their order
+std::vector<std::int32_t> TypesOfSpheres(const std::vector<int>& count)
+{
+  std::vector<std::int32_t> types;
+  for (std::size_t t = 0; t < count.size(); ++t)
+  {
+    types.insert(types.end(), count[t], static_cast<std::int32_t>(t));
   }
   return types;
 }
@@ -57,7 +68,8 @@ CellObjective::CellObjective(
   : Contents(contents)
   , Ranks(communicator)
   , Sizes(contents.Radii(), target.Lags.Maximum(), 1.0)
-  , Histogram(CellTypes(contents.Radius), target.Lags, SearchKnots)
+  , TypeOf(TypesOfSpheres(contents.Count))
+  , Histogram(CellTypes(contents.Radius, contents.Mode), target.Lags, SearchKnots)
   , TwoPoint(contents, target, this->Histogram, communicator)
   , Overlap(contents, this->Histogram)
 {
@@ -72,7 +84,7 @@ CellObjective::Terms CellObjective::Evaluate(
   std::vector<std::int32_t> types;
   for (std::uint32_t i : cells.Index)
   {
-    types.push_back(pack.Mode[i] - 1);
+    types.push_back(this->TypeOf[i]);
   }
   const PairCounts pairs = this->CountAllPairs(cells, types, signal);
   Terms terms;
@@ -138,15 +150,33 @@ CellFigures FiguresOf(const CellContents& contents)
     share.push_back(count / spheres);
   }
   return { spheres, spheres / contents.MakeBox().Volume(),
-    *std::max_element(contents.Radius.begin(), contents.Radius.end()),
-    static_cast<int>(contents.Radius.size()), contents.Radius, share };
+    *std::max_element(contents.Radius.begin(), contents.Radius.end()), contents.NumberOfModes(),
+    contents.Radius, share, contents.Mode };
+}
+
+CellFigures CellFigures::Divided(int diameters) const
+{
+  CellFigures divided = *this;
+  divided.Radius.clear();
+  divided.Share.clear();
+  for (std::size_t m = 0; m < this->Radius.size(); ++m)
+  {
+    const double share = m < this->Share.size() ? this->Share[m] : 1.0 / this->Radius.size();
+    const double spheres = std::max(std::floor(share * this->Spheres), 1.0);
+    const int types =
+      static_cast<int>(diameters == 0 ? spheres : std::min(1.0 * diameters, spheres));
+    divided.Radius.insert(divided.Radius.end(), types, this->Radius[m]);
+    divided.Share.insert(divided.Share.end(), types, share / types);
+    divided.Mode.insert(divided.Mode.end(), types, static_cast<int>(m) + 1);
+  }
+  return divided;
 }
 
 double EstimateObjectiveBytes(const CellFigures& cell, const LagGrid& lags)
 {
   // For each number of the histogram: counts, penalty, potential, its slopes, and what ranks gather
   constexpr double bytesOfNumber = 6.0 * sizeof(double);
-  const std::vector<SphereType> types = CellTypes(cell.Radius);
+  const std::vector<SphereType> types = CellTypes(cell.Radius, cell.Mode);
   return PairHistogram::EstimateTables(types, lags, SearchKnots) +
     bytesOfNumber * PairHistogram::EstimateSize(types, lags, SearchKnots);
 }

@@ -76,6 +76,7 @@ private:
   CellContents Contents;
   Communicator& Ranks;
   SizeClasses Sizes;
+  std::vector<std::int32_t> TypeOf; // of every sphere
   PairHistogram Histogram;
   TwoPointTerm TwoPoint;
   OverlapTerm Overlap;
@@ -90,8 +91,12 @@ struct CellFigures
   double Density = 0.0; // spheres per volume
   double LargestRadius = 0.0;
   int Modes = 1;
-  std::vector<double> Radius; // the radii of the modes, as far as they are known
-  std::vector<double> Share;  // of each mode in the number of spheres, where that is known
+  std::vector<double> Radius; // of every type, as far as they are known
+  std::vector<double> Share;  // of each type in the number of spheres, where that is known
+  std::vector<int> Mode;      // of every type, or empty where types are modes
+
+  /** The same with up to so many diameters in every mode, see DivideModes. */
+  CellFigures Divided(int diameters) const;
 };
 
 /** Returns the figures of the spheres that fill a cell. */

@@ -51,6 +51,12 @@ bool IsDense(const std::vector<double>& radii, double fraction, double edge)
     edge > SphereRooms::LeastEdgeInDiameters * largest * (1.0 + 1e-6);
 }
 
+bool IsDense(const CellContents& contents)
+{
+  const CellContents enlarged = contents.Enlarged();
+  return IsDense(enlarged.Radii(), enlarged.Fraction(), contents.Edge);
+}
+
 void RequireLoose(const CellContents& contents)
 {
   // Above this share of the maximum spheres that are pushed apart jam
@@ -69,8 +75,9 @@ std::vector<double> DenseCentres(
   CellContents& contents, std::uint32_t seed, const std::function<bool()>& carryOn)
 {
   DensePackSettings settings;
-  settings.Radii = contents.Radii();
-  settings.Fraction = contents.Fraction();
+  const CellContents enlarged = contents.Enlarged();
+  settings.Radii = enlarged.Radii();
+  settings.Fraction = enlarged.Fraction();
   settings.Seed = seed;
   settings.Protocol = PackingProtocol::Events;
   settings.Rate = settings.Fraction > MaximumRandomFraction(settings.Radii) ? RateOfDensest : 0.0;

@@ -38,9 +38,11 @@ constexpr double LongestEdge = 1.2;
 
 /**
  * Returns whether a cell of spheres with these radii is dense. Throws std::invalid_argument for a
- * fraction that is more than 0.015 above MaximumRandomFraction.
+ * fraction that is more than 0.015 above MaximumRandomFraction. The second form asks for the
+ * spheres enlarged by the least gap.
  */
 bool IsDense(const std::vector<double>& radii, double fraction, double edge);
+bool IsDense(const CellContents& contents);
 
 /**
  * Returns centres of a dense cell without overlap, made by events (MakeDensePack). Where the

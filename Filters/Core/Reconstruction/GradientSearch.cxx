@@ -38,8 +38,8 @@ public:
     , Ranks(communicator)
     , CarryOn(carryOn)
     , Save(save)
-    , Best{ {}, contents.MakeBox(), 0.0, 0.0, {}, 0, EndReason::None, target, {} }
-    , Dense(IsDense(contents.Radii(), contents.Fraction(), contents.Edge))
+    , Best{ {}, contents.MakeBox(), 0.0, 0.0, {}, {}, 0, EndReason::None, target, {} }
+    , Dense(IsDense(contents))
   {
   }
 
@@ -192,7 +192,7 @@ private:
   // Whether it is met
   bool MeetsObjective() const
   {
-    return this->Best.Overlap.IsNone() && this->Best.Objective <= this->ObjectiveOfStage() &&
+    return this->Best.TooNear.IsNone() && this->Best.Objective <= this->ObjectiveOfStage() &&
       (!this->WithNeighbours() || this->BestMisfits.Largest() <= 1.0);
   }
 
@@ -274,7 +274,7 @@ private:
       this->AskAll(state);
       return !this->Stopped || ++questions < MostQuestions;
     };
-    SpherePack pack = this->Contents.MakePack(centres.data());
+    SpherePack pack = this->Contents.Enlarged().MakePack(centres.data());
     if (this->Dense)
     {
       RemoveOverlapByEvents(pack, this->Best.Box, this->Settings.Seed, carryOn);
@@ -283,16 +283,19 @@ private:
     {
       RemoveOverlap(pack, this->Best.Box, this->Settings.Seed, carryOn);
     }
+    const PackOverlap tooNear = MeasureOverlap(pack, this->Best.Box);
+    pack.Radius = this->Contents.Radii();
     UnitCell cell = MeasureUnitCell(std::move(pack), this->Best.Box, this->Target, this->Ranks);
+    cell.TooNear = tooNear;
     const bool first = this->Best.Pack.Empty();
     if (!first)
     {
       this->MeasureBest(); // the lattice has moved
     }
     const NeighbourMisfits misfits = this->Objective->FindMisfits(CentresOf(cell.Pack).data());
-    const bool freer = cell.Overlap.IsNone() && !this->Best.Overlap.IsNone();
+    const bool freer = cell.TooNear.IsNone() && !this->Best.TooNear.IsNone();
     if (first || freer ||
-      (cell.Overlap.IsNone() == this->Best.Overlap.IsNone() &&
+      (cell.TooNear.IsNone() == this->Best.TooNear.IsNone() &&
         this->Objective->ValueOf(cell.Objective, misfits) <
           this->Objective->ValueOf(this->Best.Objective, this->BestMisfits)))
     {

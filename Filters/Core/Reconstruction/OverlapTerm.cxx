@@ -11,6 +11,7 @@ namespace ruc
 {
 OverlapTerm::OverlapTerm(const CellContents& contents, const PairHistogram& classes)
   : Classes(classes)
+  , Gap(contents.Gap)
 {
   double volume = 0.0;
   double weighted = 0.0;
@@ -30,7 +31,10 @@ void OverlapTerm::SetWeight(double weight)
   this->Penalties.assign(this->Classes.Size(), 0.0);
   for (int c = 0; c < this->Classes.NumberOfClasses(); ++c)
   {
-    this->Classes.Kernel(c).AddOverlapPenalty(factor, &this->Penalties[this->Classes.Begin(c)]);
+    const double contact = this->Gap.Enlarged(this->Classes.LowerType(c).Radius) +
+      this->Gap.Enlarged(this->Classes.HigherType(c).Radius);
+    this->Classes.Kernel(c).AddOverlapPenalty(
+      factor, contact, &this->Penalties[this->Classes.Begin(c)]);
   }
 }
 

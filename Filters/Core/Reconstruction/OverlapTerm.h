@@ -15,8 +15,8 @@ namespace ruc
  *
  *     w sum over overlapping pairs of ((a + b - d) / r)^2,
  *
- * where r is the mean radius of the cell's spheres, weighted by volume. It is a fixed pair
- * potential, which is tabulated once.
+ * where a and b are enlarged by the least gap of the cell, and r is the mean radius of its spheres,
+ * weighted by volume. It is a fixed pair potential, which is tabulated once.
  */
 class OverlapTerm
 {
@@ -34,6 +34,7 @@ public:
 
 private:
   const PairHistogram& Classes;
+  LeastGap Gap;
   double MeanRadius;
   std::vector<double> Penalties; // the penalty of a pair, on the knots of all classes
 };

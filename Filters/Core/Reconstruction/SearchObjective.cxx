@@ -14,7 +14,8 @@ SearchObjective::SearchObjective(const CellContents& contents, const TwoPointPro
   const SpherePack spheres = contents.MakePack(anywhere.data());
   if (dense)
   {
-    this->Contacts.emplace(spheres, contents.MakeBox(), contacts);
+    this->Contacts.emplace(
+      contents.Enlarged().MakePack(anywhere.data()), contents.MakeBox(), contacts);
   }
   if (neighbours.HasContacts())
   {

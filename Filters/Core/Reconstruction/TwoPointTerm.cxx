@@ -40,10 +40,11 @@ TwoPointTerm::TwoPointTerm(const CellContents& contents, const TwoPointProbabili
   , Ranks(communicator)
   , Probability(target.Modes, target.Lags)
 {
-  for (std::size_t m = 0; m < contents.Count.size(); ++m)
+  for (std::size_t t = 0; t < contents.Count.size(); ++t)
   {
-    const double modeVolume = contents.Count[m] * SphereVolume(contents.Radius[m]);
-    this->Probability.Fractions[m] = modeVolume / (contents.Edge * contents.Edge * contents.Edge);
+    const double volume = contents.Count[t] * SphereVolume(contents.Radius[t]);
+    this->Probability.Fractions[contents.ModeOf(static_cast<int>(t)) - 1] +=
+      volume / (contents.Edge * contents.Edge * contents.Edge);
   }
 }
 
@@ -59,11 +60,15 @@ double TwoPointTerm::Evaluate(const PairCounts& pairs)
   }
   this->Ranks.AllGatherInTurn(
     probabilities.data(), classes, [&](std::size_t c) { return c * stride; });
+  for (std::vector<double>& values : this->Probability.Values)
+  {
+    std::fill(values.begin(), values.end(), 0.0);
+  }
   for (int c = 0; c < classes; ++c)
   {
-    std::copy_n(&probabilities[c * stride], stride,
-      this->Probability.S(this->Classes.LowerType(c).Mode - 1, this->Classes.HigherType(c).Mode - 1)
-        .begin());
+    std::vector<double>& sum = this->Probability.S(
+      this->Classes.LowerType(c).Mode - 1, this->Classes.HigherType(c).Mode - 1);
+    std::transform(sum.begin(), sum.end(), &probabilities[c * stride], sum.begin(), std::plus<>());
   }
   this->Probability.CompleteMatrix();
   return TwoPointDifference(this->Target, this->Probability);
@@ -75,7 +80,7 @@ void TwoPointTerm::FindProbability(
   const PairKernel& kernel = this->Classes.Kernel(pairClass);
   const SphereType& low = this->Classes.LowerType(pairClass);
   const SphereType& high = this->Classes.HigherType(pairClass);
-  const double factor = (low == high ? 2.0 : 1.0) / (pairs.Scale * this->Volume);
+  const double factor = (low.Mode == high.Mode ? 2.0 : 1.0) / (pairs.Scale * this->Volume);
   std::vector<double> weights(kernel.Size());
   std::transform(pairs.Sums + this->Classes.Begin(pairClass),
     pairs.Sums + this->Classes.Begin(pairClass + 1), weights.begin(),
@@ -84,7 +89,7 @@ void TwoPointTerm::FindProbability(
   const LagGrid& lags = this->Target.Lags;
   for (int k = 0; low == high && k <= lags.Count && k * lags.Spacing < 2.0 * low.Radius; ++k)
   {
-    probability[k] += this->Count[low.Mode - 1] *
+    probability[k] += this->Count[this->Classes.LowerTypeIndex(pairClass)] *
       LensVolume(low.Radius, low.Radius, k * lags.Spacing) / this->Volume;
   }
 }

@@ -41,11 +41,11 @@ public:
   const TwoPointProbability& GetProbability() const { return this->Probability; }
 
 private:
-  // Adds S_rs at every lag for a class of pairs: the shares of its pairs, and of single particles
-  // where both types are the same
+  // Adds S_rs at every lag for a class of pairs: the shares of its pairs, both ways in one mode,
+  // and of single particles where both types are the same
   void FindProbability(int pairClass, const PairCounts& pairs, double* probability) const;
 
-  std::vector<int> Count; // the spheres of every mode
+  std::vector<int> Count; // the spheres of every type
   double Volume;          // of the cell
   const TwoPointProbability& Target;
   const PairHistogram& Classes;

@@ -24,7 +24,7 @@ UnitCell MeasureUnitCell(
   TwoPointProbability probability = SumPairs(share, target.Lags, ranks);
   const double objective = TwoPointDifference(target, probability);
   const PackOverlap overlap = MeasureOverlap(pack, box);
-  return { std::move(pack), box, objective, 0.0, overlap, 0, EndReason::None,
+  return { std::move(pack), box, objective, 0.0, overlap, overlap, 0, EndReason::None,
     std::move(probability), {} };
 }
 

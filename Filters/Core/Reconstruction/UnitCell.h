@@ -27,6 +27,9 @@ struct UnitCell
    */
   double StartObjective = 0.0;
   PackOverlap Overlap;
+  /** The overlap of the spheres enlarged by the least gap of the cell; without one it is Overlap.
+   */
+  PackOverlap TooNear;
   int Iterations = 0;                  // or generations
   EndReason EndedBy = EndReason::None; // Stopped when the caller ended the search
   TwoPointProbability Probability;
@@ -43,7 +46,7 @@ struct UnitCell
   static auto Fields(Self& self)
   {
     return std::tie(self.Pack, self.Box, self.Objective, self.StartObjective, self.Overlap,
-      self.Iterations, self.EndedBy, self.Probability, self.Convergence, self.Zeta);
+      self.TooNear, self.Iterations, self.EndedBy, self.Probability, self.Convergence, self.Zeta);
   }
 };
 

@@ -3,8 +3,10 @@
 #include "ruc/Reconstruction/CellContents.h"
 
 #include "Oracles.h"
+#include "ThreadRanks.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace
@@ -201,4 +203,92 @@ TEST(CellContents, RefusesImpossibleFractionsDiametersAndCounts)
   EXPECT_SAYS(ruc::ModeAmounts(Numbers{ 0.7, 0.4 }, Numbers{ 1.0, 1.0 }), "a sum of 1.1");
   EXPECT_SAYS(ruc::FindCellContents(good, std::vector<int>{ 5 }), "each of the 2 modes, got 1");
   EXPECT_SAYS(ruc::FindCellContents(good, std::vector<int>{ 5, 0 }), "got 0 for mode 2");
+}
+
+// Sizes of a mode of the pack's own: number, surface and volume
+TEST(CellContents, DividedModesHaveThePacksSizes)
+{
+  const ruc::SpherePack pack = Pack();
+  const ruc::PackShare share = ruc::SharePack(pack, Block);
+  ruc::Communicator alone;
+  const ruc::CellContents whole = ruc::FindCellContents(share, 12.34);
+  const auto moment = [](const ruc::CellContents& contents, int mode, int power)
+  {
+    double sum = 0.0;
+    for (std::size_t t = 0; t < contents.Count.size(); ++t)
+    {
+      sum += contents.ModeOf(static_cast<int>(t)) == mode
+        ? contents.Count[t] * std::pow(contents.Radius[t], power)
+        : 0.0;
+    }
+    return sum;
+  };
+  for (int diameters : { 2, 5, 0 })
+  {
+    const ruc::CellContents divided = ruc::DivideModes(whole, diameters, share, alone);
+    EXPECT_EQ(divided.NumberOfSpheres(), whole.NumberOfSpheres());
+    EXPECT_EQ(divided.NumberOfModes(), 3);
+    EXPECT_EQ(divided.Edge, whole.Edge);
+    for (int mode = 1; mode <= 3; ++mode)
+    {
+      const int spheres = whole.Count[mode - 1];
+      const auto types = std::count(divided.Mode.begin(), divided.Mode.end(), mode);
+      EXPECT_EQ(types, diameters == 0 ? spheres : std::min(diameters, spheres));
+      EXPECT_EQ(moment(divided, mode, 0), spheres);
+      EXPECT_NEAR(moment(divided, mode, 3) / moment(whole, mode, 3), 1.0, 1e-13);
+      // Surface per volume of the pack's mode; one size has less
+      double squares = 0.0, cubes = 0.0;
+      for (std::size_t i = 0; i < pack.Size(); ++i)
+      {
+        squares += pack.Mode[i] == mode ? std::pow(pack.Radius[i], 2) : 0.0;
+        cubes += pack.Mode[i] == mode ? std::pow(pack.Radius[i], 3) : 0.0;
+      }
+      const auto error = [&](const ruc::CellContents& contents) {
+        return std::abs(
+          moment(contents, mode, 2) / moment(contents, mode, 3) * cubes / squares - 1.0);
+      };
+      // Of equal parts of a uniform spread the error falls with the square of their number
+      EXPECT_LT(error(divided), (types > 4 ? 0.1 : 0.4) * error(whole));
+    }
+    const ruc::SpherePack made =
+      divided.MakePack(std::vector<double>(3 * divided.NumberOfSpheres(), 0.0).data());
+    EXPECT_TRUE(std::is_sorted(made.Mode.begin(), made.Mode.end()));
+    EXPECT_EQ(made.Radius, divided.Radii());
+  }
+}
+
+TEST(CellContents, DividedModesAreTheSameOnAnyRanks)
+{
+  const ruc::SpherePack pack = Pack();
+  ruc::Communicator alone;
+  const ruc::PackShare all = ruc::SharePack(pack, Block);
+  const ruc::CellContents whole = ruc::FindCellContents(all, 12.34);
+  const ruc::CellContents expected = ruc::DivideModes(whole, 4, all, alone);
+  for (int ranks : { 2, 3, 4 })
+  {
+    oracle::ThreadRanks::Run(ranks,
+      [&](ruc::Communicator& communicator)
+      {
+        const ruc::PackShare share = ruc::SharePack(
+          communicator.Rank() == 0 ? pack : ruc::SpherePack(), Block, true, communicator);
+        const ruc::CellContents divided = ruc::DivideModes(whole, 4, share, communicator);
+        EXPECT_EQ(divided.Radius, expected.Radius);
+        EXPECT_EQ(divided.Count, expected.Count);
+        EXPECT_EQ(divided.Mode, expected.Mode);
+      });
+  }
+}
+
+TEST(CellContents, OneDiameterAModeIsAsIfItWasNotDivided)
+{
+  const ruc::PackShare share = ruc::SharePack(Pack(), Block);
+  ruc::Communicator alone;
+  const ruc::CellContents whole = ruc::FindCellContents(share, 12.34);
+  const ruc::CellContents divided = ruc::DivideModes(whole, 1, share, alone);
+  EXPECT_EQ(divided.Count, whole.Count);
+  EXPECT_EQ(divided.Mode, (std::vector<int>{ 1, 2, 3 }));
+  for (int m = 0; m < 3; ++m)
+  {
+    EXPECT_NEAR(divided.Radius[m] / whole.Radius[m], 1.0, 1e-14);
+  }
 }

@@ -260,3 +260,71 @@ TEST(CellObjective, SignalComesBack)
   EXPECT_EQ(signal, 5); // summed over the one rank
   EXPECT_EQ(with, objective.Evaluate(centres.data(), nullptr).Total());
 }
+
+// Several sizes in a mode: F2 as of the exact sum, and its gradient as of differences
+TEST(CellObjective, KnowsSizesWithinAMode)
+{
+  ruc::Communicator serial;
+  const TwoPointProbability target = Target(Fine);
+  CellContents contents = Contents();
+  contents.Count = { 5, 7, 16, 12 };
+  contents.Radius = { 1.05, 0.95, 0.55, 0.65 };
+  contents.Mode = { 1, 1, 2, 2 };
+  CellObjective objective(contents, target, serial);
+  std::vector<double> centres = Centres(51, false), gradient(centres.size());
+  const CellObjective::Terms terms = objective.Evaluate(centres.data(), gradient.data());
+  const TwoPointProbability sum =
+    ruc::SumPairs(contents.MakePack(centres.data()), contents.MakeBox(), Fine);
+  const double exact = ruc::TwoPointDifference(target, sum);
+  EXPECT_NEAR(terms.TwoPoint, exact, 1e-3 * exact);
+  for (int p = 0; p < sum.Pairs(); ++p)
+  {
+    for (int k = 0; k <= Fine.Count; ++k)
+    {
+      EXPECT_NEAR(objective.GetProbability().Values[p][k], sum.Values[p][k], 1e-4);
+    }
+  }
+  for (std::size_t n : { 3u, 20u, 50u, 100u })
+  {
+    const double step = 1e-5, there = centres[n];
+    centres[n] = there + step;
+    const double above = objective.Evaluate(centres.data(), nullptr).Total();
+    centres[n] = there - step;
+    const double below = objective.Evaluate(centres.data(), nullptr).Total();
+    centres[n] = there;
+    EXPECT_NEAR(gradient[n], (above - below) / (2.0 * step), 1e-5 * std::abs(gradient[n]) + 1e-6);
+  }
+}
+
+// The penalty of spheres that are enlarged, at distances which the knots have exactly or not
+TEST(CellObjective, PenaltyCountsFromTheLeastGap)
+{
+  ruc::Communicator serial;
+  const TwoPointProbability target = Target(Fine);
+  CellContents contents = Contents();
+  contents.Gap = { 0.03, 0.02 };
+  CellObjective objective(contents, target, serial);
+  const std::vector<double> centres = Centres(51, false);
+  const double penalty = objective.Evaluate(centres.data(), nullptr).Penalty;
+  const ruc::SpherePack pack = contents.MakePack(centres.data());
+  double sum = 0.0, volume = 0.0, weighted = 0.0;
+  for (std::size_t i = 0; i < pack.Size(); ++i)
+  {
+    volume += std::pow(pack.Radius[i], 3);
+    weighted += std::pow(pack.Radius[i], 4);
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      double d2 = 0.0;
+      for (int q = 0; q < 3; ++q)
+      {
+        double d = pack.Centre(i)[q] - pack.Centre(j)[q];
+        d -= 6.0 * std::nearbyint(d / 6.0);
+        d2 += d * d;
+      }
+      const double reach = 1.02 * (pack.Radius[i] + pack.Radius[j]) + 0.03;
+      sum += std::pow(std::max(reach - std::sqrt(d2), 0.0), 2);
+    }
+  }
+  const double radius = weighted / volume;
+  EXPECT_NEAR(penalty, sum / (radius * radius), 1e-3 * penalty);
+}

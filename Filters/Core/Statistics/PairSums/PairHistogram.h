@@ -60,6 +60,8 @@ public:
   std::size_t Begin(int pairClass) const { return this->ClassBegin[pairClass]; }
   /** How many numbers a histogram holds. */
   std::size_t Size() const { return this->ClassBegin.back(); }
+  /** The place of the lower type of a class among the types. */
+  int LowerTypeIndex(int pairClass) const { return this->ClassTypes[pairClass].first; }
   /** The lower and the higher sphere type of a class. */
   const SphereType& LowerType(int pairClass) const
   {

@@ -208,11 +208,15 @@ void PairKernel::AddPotential(const double* lambda, double* potential) const
   }
 }
 
-void PairKernel::AddOverlapPenalty(double factor, double* potential) const
+void PairKernel::AddOverlapPenalty(double factor, double contact, double* potential) const
 {
-  for (int m = 0; m < this->ContactKnot; ++m)
+  for (int m = 0; m <= this->Intervals; ++m)
   {
-    const double overlap = this->RadiusA + this->RadiusB - (this->First + m * this->Spacing);
+    const double overlap = contact - (this->First + m * this->Spacing);
+    if (!(overlap > 1e-12 * contact)) // a contact that is a knot is one but for rounding
+    {
+      return;
+    }
     potential[2 * m] += factor * overlap * overlap;
     potential[2 * m + 1] -= 2.0 * factor * overlap * this->Spacing;
   }

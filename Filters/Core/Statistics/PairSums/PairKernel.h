@@ -71,10 +71,10 @@ public:
   void AddPotential(const double* lambda, double* potential) const;
 
   /**
-   * Adds factor x (a + b - d)+^2, the penalty of an overlapping pair, to `potential`. The knots
-   * represent it exactly.
+   * Adds factor x (contact - d)+^2, the penalty of a pair that is nearer than `contact`, to
+   * `potential`. The knots represent it exactly if the contact is a + b.
    */
-  void AddOverlapPenalty(double factor, double* potential) const;
+  void AddOverlapPenalty(double factor, double contact, double* potential) const;
 
 private:
   // 2 d r g = h(d - r) - h(d + r) depends on difference and sum alone. The knots fall into as many

@@ -193,8 +193,8 @@ TEST(PairKernel, PenaltyIsTheSquareOfTheOverlap)
   {
     const ruc::PairKernel kernel(c.A, c.B, c.Lags, CutoffOf(c));
     std::vector<double> potential(kernel.Size(), 0.0);
-    kernel.AddOverlapPenalty(3.0, potential.data());
     const double contact = c.A + c.B;
+    kernel.AddOverlapPenalty(3.0, contact, potential.data());
     oracle::Uniform random(4);
     for (int n = 0; n < 500; ++n)
     {
