@@ -119,7 +119,9 @@ def several_cells():
         best = min(range(3), key=lambda n: table['Objective'][n])
         assert field(fetch(search), 'Cell') == best + 1 and spheres(fetch(search)) == spheres(cells[best])
         convergence = columns(search, 1)
-        assert list(convergence) == ['Iteration', 'Objective', 'OverlapPercent'] and convergence['Objective'][-1] == table['Objective'][best]
+        misfits = ['GapMisfit', 'NearestMisfit', 'PoreMisfit'] if method == 'Gradient' else []
+        assert list(convergence) == ['Iteration', 'Objective', 'OverlapPercent'] + misfits, list(convergence)
+        assert convergence['Objective'][-1] == table['Objective'][best]
         rows = columns(search, 5)
         assert list(rows) == ['Quantity', 'Pack', 'Cell', 'Difference', 'LargestDifference', 'Percent', 'StandardDeviation'], list(rows)
         assert rows['Quantity'] == ['c_1', 'c_2', 'c_m', 'S_1_1', 'S_1_2', 'S_1_m', 'S_2_2', 'S_2_m', 'S_m_m', 'all'], rows['Quantity']
@@ -141,6 +143,24 @@ def several_cells():
         pass
 
 
+def gaps_and_sizes():
+    """Surfaces keep the least gap from each other, and a mode of two sizes keeps them."""
+    one = ParticleModes(Input=PACK, NumberOfModes=1)
+    settings = {**SMALL, 'MinimumGap': 0.02, 'MinimumGapShare': 0.01, 'DiametersPerMode': 2}
+    data = fetch(UnitCellReconstruction(Input=one, **settings))
+    edge = field(data, 'BoxSize')[0]
+    for a, b in itertools.combinations(spheres(data), 2):
+        steps = [a[q] - b[q] - edge * round((a[q] - b[q]) / edge) for q in range(3)]
+        assert math.hypot(*steps) > 1.01 * (a[3] + b[3]) + 0.02 - 1e-9, (a, b)
+    # A third of the pack's spheres are of 0.36, so that the lower half of a cell's is two thirds of them and one of 0.41
+    small, large = sorted(set(s[3] for s in spheres(data)))
+    means = [((2 * 0.36**3 + 0.41**3) / 3)**(1 / 3), 0.41]
+    assert abs(small - means[0]) < 1e-9 and abs(large - means[1]) < 1e-9, (small, large, means)
+    remember('gaps and sizes', itertools.chain(*spheres(data)))
+    search = UnitCellReconstruction(Input=one, Method='Annealed Population', **{**SMALL, 'MinimumGap': 0.02})
+    expect_error(search, ['MinimumGap', 'Method is not Gradient', '0.02'])
+
+
 def write_table(name, table):
     path = os.path.join(FOLDER, 'cells_%d_%s.csv' % (RANKS, name))
     with open(path, 'w') as file:
@@ -153,7 +173,7 @@ def targets_from_files():
     """S_rs written by ParaView and read again gives the cell of the table itself, and that of the pack but for rounding of its edge."""
     diameters = columns(PACK, 1)['VolumeMeanDiameter']
     few = {'NumberOfParticles': SPHERES, 'MaximumIterations': 10, 'NumberOfCells': 2}
-    of_pack = UnitCellReconstruction(Input=PACK, **GRID, **few)
+    of_pack = UnitCellReconstruction(Input=PACK, ContactWeight=0, PoreWeight=0, **GRID, **few)  # a table tells no neighbours
     of_table = UnitCellReconstruction(Input=TARGET, ModeDiameters=diameters, **few)
     path = os.path.join(FOLDER, 'cells_%d_saved.csv' % RANKS)
     SaveData(path, proxy=TARGET, Precision=17, UseScientificNotation=1)
@@ -300,4 +320,4 @@ def refused_targets():
 
 
 if __name__ == '__main__':
-    run((several_cells, targets_from_files, contents, refused_settings, refused_targets), EXPECTED)
+    run((several_cells, gaps_and_sizes, targets_from_files, contents, refused_settings, refused_targets), EXPECTED)

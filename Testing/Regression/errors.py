@@ -35,7 +35,7 @@ bad = {
 reader = SpherePackReader(FileName=good)
 modes = ParticleModes(Input=reader, Method='One Per Size')
 probability = TwoPointProbability(Input=modes, NumberOfLags=20)
-cell = UnitCellReconstruction(Input=modes, NumberOfParticles=42, NumberOfLags=20, MaximumIterations=5)
+cell = UnitCellReconstruction(Input=modes, NumberOfParticles=42, NumberOfLags=20, MaximumIterations=5, ContactWeight=0, PoreWeight=0)
 replicas = PeriodicReplicas(Input=cell)
 chain = [reader, modes, probability, cell, replicas]
 

@@ -62,7 +62,7 @@ def dense_cell():
     modes = ParticleModes(Input=SpherePackSource(NumberOfSpheres=400, Fraction=0.635), NumberOfModes=1)
     search = UnitCellReconstruction(Input=modes, NumberOfParticles=60, MaximumLag=2, NumberOfLags=20, MaximumIterations=400)
     convergence = columns(search, 1)
-    assert list(convergence) == ['Iteration', 'Objective', 'OverlapPercent', 'SumOfMultipliers'], list(convergence)
+    assert list(convergence)[:4] == ['Iteration', 'Objective', 'OverlapPercent', 'SumOfMultipliers'], list(convergence)
     assert convergence['SumOfMultipliers'][0] == 0 < convergence['SumOfMultipliers'][-1] and field(fetch(search), 'OverlapPercent') == 0
     remember('dense cell', convergence['Objective'])
     search.Method = 'Annealed Population'
