@@ -21,6 +21,8 @@ void SmallCell(Cell* f)
   f->SetNumberOfLags(40);
   f->SetNumberOfParticles(60);
   f->SetMaximumIterations(120);
+  f->SetContactWeight(0.0); // but for the cases that are about it
+  f->SetPoreWeight(0.0);
 }
 
 // Three cells, in as many groups of ranks as there are. One case is enough, as the pack plays
