@@ -67,7 +67,8 @@ class Job:
     def __init__(self, args):
         self.args = args
         self.modes = sort_spheres(read_pack(args), args)
-        self.search = UnitCellReconstruction(Input=self.modes, Method=args.method, NumberOfCells=args.cells,
+        # F2 alone counts in the paper
+        self.search = UnitCellReconstruction(Input=self.modes, Method=args.method, NumberOfCells=args.cells, ContactWeight=0, PoreWeight=0,
                                              NumberOfParticles=args.particles, MaximumLag=args.maximum_lag, NumberOfLags=args.lags,
                                              MaximumIterations=args.iterations, Population=args.population,
                                              MatingPool=args.mating_pool, MaximumGenerations=args.generations,

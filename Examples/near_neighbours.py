@@ -46,7 +46,10 @@ def describe(pack, args):
     for name, text in (("NearestGap", f"nearest gap ({args.unit})"), ("LocalFraction", "local fraction"), ("Q6", "Q6")):
         found[text] = (means[name][-1], means[name + "_error"][-1])
     voids = VoidDistances(Input=pack)
-    found[f"mean distance in the matrix ({args.unit})"] = mean_distance(voids)
+    pores = table_of(voids, 1)
+    for name in ("mean distance", "critical radius x"):
+        n = pores["Quantity"].index(name)
+        found[f"pores, {name} ({args.unit})"] = (pores["Value"][n], pores["Error"][n])
     third = table_of(ThirdOrderParameters(Input=pack, CutOff=args.cut_off, Phases="Spheres"))
     for name in ("zeta", "eta"):
         found[name] = (third[name][0], third[name + "_error"][0])
@@ -96,13 +99,15 @@ def draw(args, table):
 
     charts = Charts(args.output)
     descriptors = table["Descriptor"][1:]
-    places = list(range(1, len(descriptors) + 1))
-    view = charts.chart("", "difference from the pack, in its standard errors", [0, *places, len(places) + 1], [-40, -20, -10, -2, 2, 10, 20, 40])
-    view.BottomAxisLabels = [text for place, descriptor in zip(places, descriptors) for text in (repr(place), descriptor)]
-    labels = {"F2": "F2 alone", "Neighbours": "and near neighbours, pores", "Spectrum": "and the spectrum of ζ"}
-    styles = {"F2": ("#bb3344", 0, 1, 4), "Neighbours": ("#0077bb", 0, 1, 1), "Spectrum": ("#117733", 0, 1, 3)}
-    charts.plot(view, [("±2", [0, len(places) + 1, float("nan"), 0, len(places) + 1], [2, 2, float("nan"), -2, -2], "#777777", 2, 1, 0)] +
-                [(labels[name], places, table[name + "_Z"][1:], *styles[name]) for name in CELLS])
+    places = list(range(len(descriptors), 0, -1))  # from above
+    view = charts.chart("difference from the pack, in its standard errors", "", [0.01, 0.1, 1.0, 10.0, 100.0, 1000.0],
+                        [0, *places[::-1], len(places) + 1])
+    view.BottomAxisLogScale = 1
+    view.LeftAxisLabels = [text for place, descriptor in zip(places, descriptors) for text in (repr(place), descriptor)]
+    labels = {"F2": "F2 alone", "Neighbours": "and near neighbours, pores", "Spectrum": "and the spectrum of zeta"}
+    styles = {"F2": ("#bb3344", 0, 1, 4), "Neighbours": ("#0077bb", 0, 1, 5), "Spectrum": ("#117733", 0, 1, 3)}
+    charts.plot(view, [("2 standard errors", [2.0, 2.0], [0, len(places) + 1], "#777777", 2, 1, 0)] +
+                [(labels[name], [max(abs(z), 0.011) for z in table[name + "_Z"][1:]], places, *styles[name]) for name in CELLS])
     charts.save(view, "near_neighbours.png")
 
 

@@ -61,8 +61,10 @@ def study(args):
         if missing:
             print(f"{size:8d} skipped: no sphere of mode {', '.join(map(str, missing))}", flush=True)
             continue
+        # By F2 alone, as in the paper
         search = UnitCellReconstruction(Input=modes, NumberOfCells=args.cells, NumberOfParticles=size, MaximumLag=args.maximum_lag,
-                                        NumberOfLags=args.lags, MaximumIterations=args.iterations, Seed=args.seed)
+                                        NumberOfLags=args.lags, MaximumIterations=args.iterations, Seed=args.seed, ContactWeight=0,
+                                        PoreWeight=0)
         start = time.process_time()
         search.UpdatePipeline()
         seconds = time.process_time() - start

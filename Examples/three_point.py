@@ -54,8 +54,9 @@ class Job:
         self.args = args
         self.modes = sort_spheres(read_pack(args), args)
         lags = {"MaximumLag": args.maximum_lag, "NumberOfLags": args.lags}
+        # By F2 alone, so that no more than S_rs tells the cell of the pack
         self.cell = UnitCellReconstruction(Input=self.modes, NumberOfParticles=args.particles, TargetObjective=args.target,
-                                           MaximumIterations=args.iterations, Seed=args.seed, **lags)
+                                           MaximumIterations=args.iterations, Seed=args.seed, ContactWeight=0, PoreWeight=0, **lags)
         self.medium = {"pack": self.modes, "cell": self.cell}
         self.two = {name: TwoPointProbability(Input=medium, **lags) for name, medium in self.medium.items()}
         self.three = {name: ThreePointProbability(Input=medium, Phases=args.phases, NumberOfDirections=args.directions,
