@@ -17,7 +17,7 @@ import time
 MPIEXEC, PVBATCH, FOLDER = sys.argv[1:4]
 SEARCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'checkpoint_search.py')
 SEARCHES = {
-    'gradient': ({'MaximumIterations': 200}, 4),
+    'gradient': ({'MaximumIterations': 120}, 4),
     'population': ({'Method': 'Annealed Population', 'Population': 24, 'MatingPool': 4, 'MaximumGenerations': 40}, 3),
     'hybrid': ({'Method': 'Hybrid', 'HybridPopulation': 4, 'RefinementSteps': 20, 'MaximumGenerations': 25}, 3),
 }
@@ -40,7 +40,7 @@ def start(searches, ranks=1):
 def run(*searches, ranks=1):
     """For each of the searches, which one process does one after the other: what it said, and its result or None."""
     open(MESSAGES, 'w').close()  # so that no earlier run is taken for one that does not even begin
-    output = start(searches, ranks).communicate(timeout=120)[0]
+    output = start(searches, ranks).communicate(timeout=300)[0]
     with open(MESSAGES) as file:
         outputs = file.read().split('END\n')
     require(len(outputs) > len(searches), f'all searches come to an end, got {output[-2000:]}{outputs[-1][-2000:]}')
