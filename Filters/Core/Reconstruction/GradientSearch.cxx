@@ -22,7 +22,7 @@ constexpr double LeastSoftProgress = 0.02; // of F2 in IterationsOfRound
 constexpr double LeastOverlap = 3e-7;      // of a contact, that events take out without a trace
 constexpr double FirstStepIfDense = 0.1;
 // For neighbours and pores; found on the example pack
-constexpr double ShareOfReference = 0.1; // F0 in F2 of the first descent
+constexpr double ShareOfReference = 0.5; // F0 in F2 of the first descent
 constexpr double ShareOfObjective = 0.8; // of the target objective, at which they are added
 
 class Search

@@ -84,7 +84,7 @@ double FirstStepOf(const CellContents& contents);
  *
  * With GradientSearchSettings::Neighbours the search then goes on with F2 and these terms
  * together (SearchObjective), with one lattice of the pores after the other; the best cell is
- * that with the least sum. F0 is a tenth of F2 as the first
+ * that with the least sum. F0 is half of F2 as the first
  * descent left it. The first descent ends at 0.8 of the target objective, and the search at the
  * target once all misfits are at most 1 as well.
  *

@@ -70,38 +70,45 @@ NeighbourMisfits SearchObjective::FindMisfits(const double* centres)
 
 double SearchObjective::ValueOf(double twoPoint, const NeighbourMisfits& misfits) const
 {
-  return twoPoint +
-    this->Reference *
-    (this->Neighbours.ContactWeight * (misfits.Gaps + misfits.Nearest) +
-      this->Neighbours.PoreWeight * misfits.Pores +
-      this->Neighbours.SpectrumWeight * misfits.Spectrum +
-      this->Neighbours.ThirdOrderWeight * misfits.ThirdOrder);
+  const NeighbourMisfits worth = this->Worths();
+  return twoPoint + worth.Gaps * misfits.Gaps + worth.Nearest * misfits.Nearest +
+    worth.Pores * misfits.Pores + worth.Spectrum * misfits.Spectrum +
+    worth.ThirdOrder * misfits.ThirdOrder;
+}
+
+NeighbourMisfits SearchObjective::Worths() const
+{
+  constexpr double shareOfStiff = 0.2; // found on the example pack
+  const double stiff = shareOfStiff * this->Reference;
+  NeighbourMisfits worth;
+  worth.Gaps = worth.Nearest = stiff * this->Neighbours.ContactWeight;
+  worth.Pores = stiff * this->Neighbours.PoreWeight;
+  worth.Spectrum = this->Reference * this->Neighbours.SpectrumWeight;
+  worth.ThirdOrder = this->Reference * this->Neighbours.ThirdOrderWeight;
+  return worth;
 }
 
 NeighbourMisfits SearchObjective::AddNeighbours(const double* centres, double* gradient)
 {
+  const NeighbourMisfits worth = this->Worths();
   NeighbourMisfits misfits;
   if (this->Near)
   {
-    const ContactTerm::Misfits near =
-      this->Near->Evaluate(centres, this->Reference * this->Neighbours.ContactWeight, gradient);
+    const ContactTerm::Misfits near = this->Near->Evaluate(centres, worth.Gaps, gradient);
     misfits.Gaps = near.Gaps;
     misfits.Nearest = near.Nearest;
   }
   if (this->Pores)
   {
-    misfits.Pores =
-      this->Pores->Evaluate(centres, this->Reference * this->Neighbours.PoreWeight, gradient);
+    misfits.Pores = this->Pores->Evaluate(centres, worth.Pores, gradient);
   }
   if (this->Spectrum)
   {
-    misfits.Spectrum = this->Spectrum->Evaluate(
-      centres, this->Reference * this->Neighbours.SpectrumWeight, gradient);
+    misfits.Spectrum = this->Spectrum->Evaluate(centres, worth.Spectrum, gradient);
   }
   if (this->ThirdOrder)
   {
-    misfits.ThirdOrder = this->ThirdOrder->Evaluate(
-      centres, this->Reference * this->Neighbours.ThirdOrderWeight, gradient);
+    misfits.ThirdOrder = this->ThirdOrder->Evaluate(centres, worth.ThirdOrder, gradient);
   }
   return misfits;
 }

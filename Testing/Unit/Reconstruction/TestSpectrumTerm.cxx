@@ -261,9 +261,7 @@ TEST(SpectrumTerm, IsTheSameOnAnyRanksAndThreads)
 TEST(SpectrumTerm, BringsTheSpectrumNear)
 {
   ruc::Communicator alone;
-  ruc::GradientSearchSettings settings = Settings(100);
-  settings.Neighbours.SpectrumWeight = 5.0; // so few spheres do not have both F2 and it
-  const ruc::UnitCell cell = Search(settings, alone);
+  const ruc::UnitCell cell = Search(Settings(100), alone);
   EXPECT_TRUE(cell.Overlap.IsNone());
   ruc::GradientSearchSettings plain = Settings(150);
   plain.Neighbours = {};

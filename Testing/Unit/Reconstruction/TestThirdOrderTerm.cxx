@@ -176,9 +176,9 @@ TEST(ThirdOrderTerm, IsTheSameOnAnyRanksAndThreads)
 
 TEST(ThirdOrderTerm, BringsThirdOrderNear)
 {
-  const ruc::UnitCell cell = Search(Settings(40));
+  const ruc::UnitCell cell = Search(Settings(70));
   EXPECT_TRUE(cell.Overlap.IsNone());
-  ruc::GradientSearchSettings plain = Settings(100);
+  ruc::GradientSearchSettings plain = Settings(105);
   plain.Neighbours = {};
   const double without = Evaluate(TheProblem().Contents, ruc::CentresOf(Search(plain).Pack));
   const double with = cell.Convergence.back().Misfits.ThirdOrder;
