@@ -60,7 +60,7 @@ render = pv.CreateView("RenderView", ViewSize=[300, 200])
 displays = [pv.Show(source, render) for source in (reader, modes, cell, replicas)]
 pv.Show(labels, render)
 pv.Render(render)
-for source in (one_point, two_point, directions, of_pairs, chords, radial, third_order, three_point, of_cell, comparison, particles):
+for source in (one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, three_point, of_cell, comparison, particles):
     source.UpdatePipeline()
 check("the first outputs")
 

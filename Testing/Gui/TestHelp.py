@@ -38,7 +38,8 @@ FORMULAS = {
     'writers.SpherePackWriter': 'diameter = 2 × Radius',
 }
 BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.ImageStatistics', 'filters.RadialDistribution', 'filters.ThirdOrderParameters', 'filters.VoidDistances')
-SOURCES = {'sources.SpherePackSource': 'Lubachevsky, Stillinger, J. Stat. Phys. 60, 561 (1990)'}
+SOURCES = {'filters.NeighbourStatistics': 'Mickel, Kapfer, Schröder-Turk, Mecke, J. Chem. Phys. 138, 044501 (2013)',
+           'sources.SpherePackSource': 'Lubachevsky, Stillinger, J. Stat. Phys. 60, 561 (1990)'}
 PROPERTIES = {'filters.DirectionalProbability': ['Number Of Directions', 'Number Of Lines', 'Seed'],
               'filters.ProbabilityMap': ['Phase Pairs', 'Resolution', 'Spacing'],
               'filters.ChordLengths': ['Number Of Lines', 'Target Error', 'Mask Label'],
