@@ -100,7 +100,7 @@ def draw(args, table):
     charts = Charts(args.output)
     descriptors = table["Descriptor"][1:]
     places = list(range(len(descriptors), 0, -1))  # from above
-    view = charts.chart("difference from the pack, in its standard errors", "", [0.01, 0.1, 1.0, 10.0, 100.0, 1000.0],
+    view = charts.chart("difference from the pack, in its standard errors", "", [0.01, 0.1, 1.0, 10.0, 100.0, 1000.0, 10000.0],
                         [0, *places[::-1], len(places) + 1])
     view.BottomAxisLogScale = 1
     view.LeftAxisLabels = [text for place, descriptor in zip(places, descriptors) for text in (repr(place), descriptor)]
