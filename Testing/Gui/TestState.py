@@ -31,7 +31,7 @@ for source in reader, modes, cell, replicas:
 assert Fetch(replicas).GetNumberOfPoints() == 2 * Fetch(cell).GetNumberOfPoints() == 60
 assert Fetch(one_point).GetNumberOfRows() == 4
 assert Fetch(two_point).GetNumberOfRows() == two_point.NumberOfLags + 1 == 41
-assert Fetch(three_point).GetDimensions() == (21, 21, 11)
+assert Fetch(three_point).GetDimensions() == (21, 21, 21)
 assert Fetch(three_point).GetPointData().GetScalars().GetName() == "S_m_m_m"
 
 # What Apply has opened: each chart in a view of its own, and the map apart from the pack

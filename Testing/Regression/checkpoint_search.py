@@ -38,6 +38,8 @@ def make_pack(settings):
 
 def search_cells(settings):
     """The places of the cells that a search found, and its tables."""
+    # Of F2 alone, unless they say otherwise
+    settings = {'ContactWeight': 0, 'PoreWeight': 0, **settings}
     search = UnitCellReconstruction(Input=modes, MaximumLag=100, NumberOfLags=40, NumberOfParticles=400, **settings)
     cells = leaves(fetch(search, 3))
     result = []

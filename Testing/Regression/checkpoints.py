@@ -17,7 +17,8 @@ import time
 MPIEXEC, PVBATCH, FOLDER = sys.argv[1:4]
 SEARCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'checkpoint_search.py')
 SEARCHES = {
-    'gradient': ({'MaximumIterations': 120}, 4),
+    'gradient': ({'MaximumIterations': 600}, 4),
+    'neighbours': ({'MaximumIterations': 80, 'ContactWeight': 1, 'PoreWeight': 1}, 2),
     'population': ({'Method': 'Annealed Population', 'Population': 24, 'MatingPool': 4, 'MaximumGenerations': 40}, 3),
     'hybrid': ({'Method': 'Hybrid', 'HybridPopulation': 4, 'RefinementSteps': 20, 'MaximumGenerations': 25}, 3),
 }
@@ -125,8 +126,7 @@ def test_packs():
 
 def test_cells():
     """Several cells have a file each."""
-    # Of F2 alone, so that what goes on from 20 iterations is what goes on to 60
-    settings = {'MaximumIterations': 60, 'NumberOfCells': 3, 'ContactWeight': 0, 'PoreWeight': 0}
+    settings = {'MaximumIterations': 60, 'NumberOfCells': 3}
     name = os.path.join(FOLDER, 'cells.state')
     run(dict(settings, MaximumIterations=20, CheckpointFile=name), ranks=2)
     require(sorted(os.listdir(FOLDER)).count('cells.state.3') == 1, 'cell 3 has a file of its own')
