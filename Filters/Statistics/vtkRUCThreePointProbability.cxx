@@ -331,6 +331,12 @@ void vtkRUCThreePointProbability::FillMultipoles(
 {
   if (!this->Multipoles)
   {
+    // A table without columns would make some of ParaView's views wait for the server for ever
+    if (ranks.Rank() == 0)
+    {
+      PackData::AddColumn(vtkTable::GetData(outputs, MULTIPOLES), "Note",
+        std::vector<std::string>{ "Multipoles is off" });
+    }
     return;
   }
   ruc::Require(!this->HasMask(), "Multipoles", "a pack without a mask", "one");

@@ -126,7 +126,9 @@ public:
   vtkBooleanMacro(StandardErrors, bool);
   ///@}
   ///@{
-  /** Whether output 4 is filled. It takes spheres that do not overlap, and no mask. Default: off.
+  /**
+   * Whether output 4 is filled. It takes spheres that do not overlap, and no mask. Otherwise the
+   * table has one row, a `Note` that says so. Default: off.
    */
   vtkSetMacro(Multipoles, bool);
   vtkGetMacro(Multipoles, bool);
