@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace ruc
 {
@@ -21,6 +22,21 @@ namespace
 constexpr double RoomOfJammed = 1.0003; // of the edge
 // What is denser than random packs are on average jams also where it grows more slowly
 constexpr double RateOfDensest = 0.003;
+
+// `gaps` says what the spheres are enlarged by
+bool IsDense(
+  const std::vector<double>& radii, double fraction, double edge, const std::string& gaps)
+{
+  const double maximum = MaximumRandomFraction(radii);
+  if (fraction > maximum + 0.015)
+  {
+    throw std::invalid_argument(Text("A cell of these spheres", gaps, " would have a fraction of ",
+      fraction, ", which is more than random packs of these sizes reach (about ", maximum, ")."));
+  }
+  const double largest = 2.0 * *std::max_element(radii.begin(), radii.end());
+  return radii.size() > 1 && fraction > DenseShare * maximum &&
+    edge > SphereRooms::LeastEdgeInDiameters * largest * (1.0 + 1e-6);
+}
 }
 
 std::vector<double> RandomCentres(
@@ -40,21 +56,14 @@ std::vector<double> RandomCentres(
 
 bool IsDense(const std::vector<double>& radii, double fraction, double edge)
 {
-  const double maximum = MaximumRandomFraction(radii);
-  if (fraction > maximum + 0.015)
-  {
-    throw std::invalid_argument(Text("A cell of these spheres would have a fraction of ", fraction,
-      ", which is more than random packs of these sizes reach (about ", maximum, ")."));
-  }
-  const double largest = 2.0 * *std::max_element(radii.begin(), radii.end());
-  return radii.size() > 1 && fraction > DenseShare * maximum &&
-    edge > SphereRooms::LeastEdgeInDiameters * largest * (1.0 + 1e-6);
+  return IsDense(radii, fraction, edge, {});
 }
 
 bool IsDense(const CellContents& contents)
 {
   const CellContents enlarged = contents.Enlarged();
-  return IsDense(enlarged.Radii(), enlarged.Fraction(), contents.Edge);
+  return IsDense(enlarged.Radii(), enlarged.Fraction(), contents.Edge,
+    contents.Gap.IsNone() ? "" : ", enlarged by MinimumGap and MinimumGapShare,");
 }
 
 void RequireLoose(const CellContents& contents)

@@ -30,9 +30,10 @@ ThirdOrderTerm::ThirdOrderTerm(
   , Shells(pack.Shells)
   , Centres(pack.Shells.Classes, 0.0)
 {
-  for (std::size_t mode = 0; mode < contents.Count.size(); ++mode)
+  for (std::size_t type = 0; type < contents.Count.size(); ++type)
   {
-    this->Centres[pack.ClassOfMode[mode]] += contents.Count[mode];
+    const int mode = contents.ModeOf(static_cast<int>(type));
+    this->Centres[pack.ClassOfMode[mode - 1]] += contents.Count[type];
   }
 }
 

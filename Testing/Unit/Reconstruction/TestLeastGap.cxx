@@ -100,7 +100,8 @@ TEST(LeastGap, OfADenseCellIsKeptToo)
   EXPECT_EQ(cell.Pack.Radius, contents.Radii());
   EXPECT_GE(LeastRoom(cell, contents.Gap), -1e-11);
   contents.Gap.Share = 1.0;
-  EXPECT_SAYS(Search(contents, target, 60, alone), "more than random packs of these sizes reach");
+  EXPECT_SAYS(Search(contents, target, 60, alone),
+    "enlarged by MinimumGap and MinimumGapShare, would have a fraction of");
 }
 
 TEST(LeastGap, AndSizesWithinAModeAreTheSameOnAnyRanks)

@@ -107,6 +107,11 @@ TEST(ThirdOrderTerm, ThePackFitsItself)
   contents.Radius = { 1.0, 0.6 };
   contents.Edge = TheProblem().Made.Box.Size[0];
   EXPECT_LT(Evaluate(contents, ruc::CentresOf(TheProblem().Made.Pack)), 1e-12);
+  // As types of its modes, of which there are more
+  contents.Count = { 20, 30, 30, 150, 50 };
+  contents.Radius = { 1.0, 1.0, 1.0, 0.6, 0.6 };
+  contents.Mode = { 1, 1, 1, 2, 2 };
+  EXPECT_LT(Evaluate(contents, ruc::CentresOf(TheProblem().Made.Pack)), 1e-12);
 }
 
 // Spheres that overlap, and images of themselves, give a number
