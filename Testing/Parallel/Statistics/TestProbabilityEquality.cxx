@@ -174,7 +174,7 @@ TEST_P(ProbabilityEquality, RadialDistribution)
 
 TEST_P(ProbabilityEquality, ThreePoint)
 {
-  ExpectSame<ThreePoint>(WithErrors, { ThreePoint::MULTIPOLES });
+  ExpectSame<ThreePoint>(WithErrors);
 }
 
 TEST_P(ProbabilityEquality, ThreePointWithoutErrors)
@@ -186,8 +186,7 @@ TEST_P(ProbabilityEquality, ThreePointWithoutErrors)
       f->SetNumberOfLags(5);
       f->SetNumberOfDirections(3);
       f->SetNumberOfThrows(50);
-    },
-    { ThreePoint::MULTIPOLES });
+    });
 }
 
 TEST_P(ProbabilityEquality, ThreePointWithMultipoles)
@@ -255,5 +254,5 @@ TEST_P(MaskedEquality, ThreePoint)
       WithErrors(f);
       f->SetMaximumLag(1.0);
     },
-    { ThreePoint::MULTIPOLES }, {}, true);
+    {}, {}, true);
 }
