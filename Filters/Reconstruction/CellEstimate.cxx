@@ -87,6 +87,8 @@ ruc::Estimate CellEstimate::OfPack(const ruc::PackFigures& pack, const CellPrope
   if (properties.DiametersPerMode != 1)
   {
     cell = cell.Divided(properties.DiametersPerMode);
+    // All radii of a mode, on every rank, and those of all ranks before
+    estimate.MegabytesOfRank += 2.0 * sizeof(double) * pack.Spheres / ruc::BytesOfMegabyte;
   }
   estimate.Automatic = DescribeSize(properties, cell);
   const ruc::LagGrid lags =

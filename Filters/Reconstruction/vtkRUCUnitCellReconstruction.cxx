@@ -241,8 +241,7 @@ void vtkRUCUnitCellReconstruction::Execute(
   {
     vtkWarningMacro(
       << "ContactWeight, PoreWeight, SpectrumWeight and ThirdOrderWeight do not count, as a table "
-         "of "
-         "S_rs tells neither near neighbours nor pores nor third order: they require a pack.");
+         "of S_rs tells neither near neighbours nor pores nor third order: they require a pack.");
   }
   if (this->Cell.DiametersPerMode != 1 && ranks.Rank() == 0)
   {

@@ -36,8 +36,8 @@
  *   `ZetaOfPack_error`.
  * - 1 is the table of convergence of the best cell, `Iteration`, `Objective`, `OverlapPercent`, for
  *   a dense cell `SumOfMultipliers`, and `GapMisfit`, `NearestMisfit`, `PoreMisfit`,
- * `SpectrumMisfit`, `ThirdOrderMisfit` (which are also field data; NaN while F2 descends alone)
- * where they count, whose row 0 is the start and whose last row is the cell that is returned.
+ *   `SpectrumMisfit`, `ThirdOrderMisfit` (which are also field data; NaN while F2 descends alone)
+ *   where they count, whose row 0 is the start and whose last row is the cell that is returned.
  * - 2 is the table `r`, `S_1_1_pack`, `S_1_1_cell`, … of the best cell; for several cells also
  *   `S_1_1_mean`, `S_1_1_deviation` (the standard deviation over the cells), ….
  * - 3 is a multiblock data set of all cells.

@@ -69,11 +69,14 @@ int CutAt(int all, int k, int parts)
 // The volume mean of the radii, which are in their order, from one share of their number to another
 double VolumeMean(const std::vector<double>& radii, double from, double to)
 {
+  const double all = static_cast<double>(radii.size());
+  const auto first = static_cast<std::size_t>(std::max(std::floor(from * all) - 1.0, 0.0));
+  const auto last = static_cast<std::size_t>(std::min(std::ceil(to * all) + 1.0, all));
   double cubes = 0.0;
-  for (std::size_t i = 0; i < radii.size(); ++i)
+  for (std::size_t i = first; i < last; ++i)
   {
-    const double begin = std::max(i / double(radii.size()), from);
-    const double end = std::min((i + 1) / double(radii.size()), to);
+    const double begin = std::max(i / all, from);
+    const double end = std::min((i + 1) / all, to);
     cubes += std::max(end - begin, 0.0) * std::pow(radii[i], 3);
   }
   return std::cbrt(cubes / (to - from));

@@ -93,7 +93,7 @@ struct CellFigures
   int Modes = 1;
   std::vector<double> Radius; // of every type, as far as they are known
   std::vector<double> Share;  // of each type in the number of spheres, where that is known
-  std::vector<int> Mode;      // of every type, or empty where types are modes
+  std::vector<int> Mode = {}; // of every type, or empty where types are modes
 
   /** The same with up to so many diameters in every mode, see DivideModes. */
   CellFigures Divided(int diameters) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ruc/Base/Communicator.h"
+#include "ruc/Base/FixedPoint.h"
 #include "ruc/Particles/CellList.h"
 #include "ruc/Reconstruction/CellContents.h"
 
@@ -92,5 +93,20 @@ std::vector<std::int64_t> SumOverCentres(
   }
   ranks.Sum(total.data(), total.size());
   return total;
+}
+
+/**
+ * Adds the forces of the centre `sphere` on the `spheres` around it, three numbers each in `pushes`
+ * that are held to +-most, times `scale` to `forces`, and their opposites to its own force.
+ */
+inline void AddPushes(std::size_t sphere, const std::vector<std::size_t>& spheres,
+  const std::vector<double>& pushes, double most, double scale, std::int64_t* forces)
+{
+  for (std::size_t n = 0; n < pushes.size(); ++n)
+  {
+    const std::int64_t push = RoundToFixedPoint(std::clamp(pushes[n], -most, most) * scale);
+    forces[3 * spheres[n / 3] + n % 3] += push;
+    forces[3 * sphere + n % 3] -= push;
+  }
 }
 }

@@ -161,12 +161,7 @@ void SpectrumTerm::AddGradient(
         this->Products.AddGradient(&this->Sums[size * i], 0, 0, mu, lambda.data());
         pushes.resize(3 * spheres.size());
         this->Multipoles.FindForces(around, lambda.data(), pushes.data());
-        for (std::size_t n = 0; n < pushes.size(); ++n)
-        {
-          const std::int64_t push = RoundToFixedPoint(std::clamp(pushes[n], -Most, Most) * scale);
-          own[3 * spheres[n / 3] + n % 3] += push;
-          own[3 * sphere + n % 3] -= push;
-        }
+        AddPushes(sphere, spheres, pushes, Most, scale, own);
       };
     });
   const double back = factor * steepest * largest / unit / scale;

@@ -163,13 +163,7 @@ void ThirdOrderTerm::AddGradient(
         this->Shells.FindGradient(multipoles.data(), factors[r].data(), lambda.data());
         pushes.resize(3 * around.size());
         this->Shells.FindForces(cell.RadiusOf(sphere), around, lambda.data(), pushes.data());
-        for (std::size_t n = 0; n < pushes.size(); ++n)
-        {
-          const double push = std::clamp(pushes[n], -Most, Most);
-          const std::int64_t rounded = RoundToFixedPoint(push * scale);
-          own[3 * spheres[n / 3] + n % 3] += rounded;
-          own[3 * sphere + n % 3] -= rounded;
-        }
+        AddPushes(sphere, spheres, pushes, Most, scale, own);
       };
     });
   const double back = factor * steep / length / fewest / scale;

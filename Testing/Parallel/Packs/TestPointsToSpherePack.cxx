@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <numeric>
 
 using Points = vtkRUCPointsToSpherePack;
@@ -108,13 +107,6 @@ void ExpectWarning(const Made& run, const std::vector<std::string>& parts)
   {
     ExpectParts(text, parts);
   }
-}
-
-void RefusesPoints(const std::vector<std::string>& parts,
-  const std::function<void(vtkPolyData*)>& spoil,
-  const std::function<void(Points*)>& configure = {})
-{
-  Refuses<Points>(parts, { {}, spoil, configure });
 }
 }
 
@@ -455,74 +447,4 @@ TEST(PointsToSpherePack, ATableIsTakenByItsColumns)
   EXPECT_EQ(chosen.Warning.Texts.empty() ? 0u : chosen.Warning.Texts[0].find("Diameter"),
     Rank() == 0 ? std::string::npos : 0u);
   EXPECT_EQ(Sum(chosen.All("Type")), 1200.0);
-}
-
-TEST(PointsToSpherePackRefusals, NoPoints)
-{
-  RefusesPack<Points>({ Name, "requires at least one sphere" }, [](auto& p) { p = {}; });
-}
-
-TEST(PointsToSpherePackRefusals, NoRadii)
-{
-  const auto spoil = [](vtkPolyData* d) { d->GetPointData()->RemoveArray("Radius"); };
-  RefusesPoints({ Name, "Radii are required", "UniformRadius or RadiusByType, got 'Mode'" }, spoil);
-  RefusesPoints({ Name, "The pack requires radii", "got neither radii nor types" }, spoil,
-    [](Points* f) { f->SetRadiusByType("1=2"); });
-  RefusesPoints({ Name, "Radii are required", "got 'Mode', 'Radius' (text)" },
-    [](vtkPolyData* d)
-    {
-      d->GetPointData()->RemoveArray("Radius");
-      vtkNew<vtkStringArray> texts;
-      texts->SetName("Radius");
-      texts->SetNumberOfValues(d->GetNumberOfPoints());
-      d->GetPointData()->AddArray(texts);
-    });
-  RefusesPoints(
-    { Name, "RadiusByType requires a radius of type 3, or UniformRadius, got '1=2;2=3'" }, spoil,
-    [](Points* f)
-    {
-      f->SetTypeArray("Mode");
-      f->SetRadiusByType("1=2;2=3");
-    });
-}
-
-TEST(PointsToSpherePackRefusals, RadiiThatAreNone)
-{
-  RefusesPack<Points>({ Name, "requires finite values > 0, got nan" },
-    [](auto& p) { p.Radius[7] = std::numeric_limits<double>::quiet_NaN(); });
-  RefusesPack<Points>(
-    { Name, "requires finite values > 0, got -1" }, [](auto& p) { p.Radius[7] = -1.0; });
-  RefusesSettings<Points>({ Name, "UniformRadius requires a finite number >= 0, got -2" },
-    [](Points* f) { f->SetUniformRadius(-2.0); });
-  RefusesSettings<Points>({ Name, "RadiusByType requires types and radii > 0", "got 'steel'" },
-    [](Points* f) { f->SetRadiusByType("steel"); });
-}
-
-TEST(PointsToSpherePackRefusals, ArraysThatDoNotFit)
-{
-  RefusesSettings<Points>({ Name, "A point array 'size' is required, got 'Radius', 'Mode'" },
-    [](Points* f) { f->SetRadiusArray("size"); });
-  RefusesPoints(
-    { Name, "'short' requires a value for each of", "points, got 0" },
-    [](vtkPolyData* d)
-    {
-      vtkNew<vtkDoubleArray> array;
-      array->SetName("short");
-      d->GetPointData()->AddArray(array);
-    },
-    [](Points* f) { f->SetRadiusArray("short"); });
-  const auto addHalves = [](vtkPolyData* d)
-  { AddArray<vtkDoubleArray>(d, "half", [](vtkIdType) { return 0.5; }); };
-  RefusesPoints({ Name, "'half' requires whole numbers as ids, got 0.5" }, addHalves,
-    [](Points* f) { f->SetIdArray("half"); });
-  RefusesPoints({ Name, "'half' requires whole numbers or names of types, got 0.5" }, addHalves,
-    [](Points* f) { f->SetTypeArray("half"); });
-}
-
-TEST(PointsToSpherePackRefusals, Settings)
-{
-  RefusesSettings<Points>(
-    { Name, "Scale requires a finite number > 0, got 0" }, [](Points* f) { f->SetScale(0.0); });
-  RefusesSettings<Points>({ Name, "MemoryLimit requires at least", "got 0.001" },
-    [](Points* f) { f->SetMemoryLimit(0.001); });
 }
