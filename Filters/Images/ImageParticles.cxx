@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -124,45 +125,76 @@ void ImageParticles::TakeCut(ruc::CutParticles cut)
   }
 }
 
-void ImageParticles::FindShapes(RankCommunicator& ranks)
+// Gives voxels to the particles that were fitted
+void ImageParticles::NumberVoxels()
 {
-  const std::vector<ruc::FittedBall>& balls = this->Found.Balls;
-  this->Slab = ruc::ResidualOf(std::exchange(this->Slab, {}), this->Found, ranks);
-  if (!this->HasLabels)
+  std::vector<ruc::Ball> all = ruc::BallsOf(this->Found.Balls);
+  for (const ruc::DroppedBall& dropped : this->Found.Dropped)
   {
-    this->NumberIds();
-    std::vector<ruc::Ball> all = ruc::BallsOf(balls);
-    for (const ruc::DroppedBall& dropped : this->Found.Dropped)
+    if (dropped.IsParticle())
     {
-      if (dropped.IsParticle())
-      {
-        all.push_back(dropped.Ball.At);
-      }
+      all.push_back(dropped.Ball.At);
     }
-    this->Number = ruc::LabelVoxels(this->Slab, this->Found.Model, all);
-    const auto count = static_cast<std::int32_t>(balls.size());
-    for (std::int32_t& number : this->Number.Values)
-    {
-      number = number > count ? NotInPack : number;
-    }
-    this->Shapes = ruc::MeasureShapes(this->Number, count, this->Edges, ranks);
-    return;
   }
-  // The voxels of a particle are those of its label
+  this->Number = ruc::LabelVoxels(this->Slab, this->Found.Model, all);
+  const auto count = static_cast<std::int32_t>(this->Found.Balls.size());
+  for (std::int32_t& number : this->Number.Values)
+  {
+    number = number > count ? NotInPack : number;
+  }
+}
+
+// The voxels of a particle are those of its label
+void ImageParticles::KeepShapesOfLabels()
+{
   std::vector<std::int32_t> numbers(this->Labels.size() + 1, NotInPack);
   numbers[0] = 0;
   std::vector<ruc::ParticleShape> shapes;
-  for (std::size_t n = 0; n < balls.size(); ++n)
+  for (const ruc::FittedBall& ball : this->Found.Balls)
   {
-    numbers[balls[n].Start + 1] = static_cast<std::int32_t>(n) + 1;
-    this->Ids.push_back(this->Labels[balls[n].Start]);
-    shapes.push_back(this->Shapes[balls[n].Start]);
+    shapes.push_back(this->Shapes[ball.Start]);
+    numbers[ball.Start + 1] = static_cast<std::int32_t>(shapes.size());
+    this->Ids.push_back(this->Labels[ball.Start]);
   }
   this->Shapes = std::move(shapes);
   for (std::int32_t& number : this->Number.Values)
   {
     number = numbers[number];
   }
+}
+
+void ImageParticles::FindShapes(const std::function<bool(double)>& goOn, RankCommunicator& ranks)
+{
+  const auto leave = [&]()
+  { this->Slab = ruc::ResidualOf(std::exchange(this->Slab, {}), this->Found, ranks); };
+  if (this->HasLabels)
+  {
+    this->KeepShapesOfLabels();
+    leave();
+    return;
+  }
+  this->NumberIds();
+  const auto count = static_cast<std::int32_t>(this->Found.Balls.size());
+  ruc::ParticleShape unknown;
+  unknown.Volume = std::numeric_limits<double>::quiet_NaN();
+  this->Shapes.assign(count, unknown);
+  this->AreMeasured = false;
+  if (!goOn(0.0))
+  {
+    return;
+  }
+  leave();
+  if (!goOn(0.5))
+  {
+    return;
+  }
+  this->NumberVoxels();
+  if (!goOn(0.75))
+  {
+    return;
+  }
+  this->Shapes = ruc::MeasureShapes(this->Number, count, this->Edges, ranks);
+  this->AreMeasured = true;
 }
 
 ruc::Vector3 ImageParticles::PlaceOf(const ruc::Ball& ball) const

@@ -8,6 +8,7 @@
 #include "ruc/Images/Watershed/CutParticles.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 class vtkPolyData;
@@ -21,6 +22,7 @@ struct ImageParticles
   bool HasLabels = false;
   bool OfPoints = false;      // whether voxels are points
   bool AreCut = false;        // whether particles are those of a watershed
+  bool AreMeasured = true;    // whether Number and Shapes, and Slab of a fit, are of the particles
   ruc::VoxelSlab<float> Slab; // of the values, and later of what is left of them
   /** Of the label, and later of the particle, from 1; NotInPack for particles that are not in the
    * pack. */
@@ -39,9 +41,12 @@ struct ImageParticles
   /** Takes the particles of a watershed in place of those of a fit: Found has their centres and
    * radii of equal volume, as balls, and no more. */
   void TakeCut(ruc::CutParticles cut);
-  /** Sets Ids, Number and Shapes for the particles that were found, and takes these from the slab.
-   * Collective. */
-  void FindShapes(RankCommunicator& ranks);
+  /**
+   * Sets Ids, Number and Shapes for the particles that were fitted, and takes these from the slab.
+   * `goOn` is asked with the share of the work that is done, and answers the same on all ranks;
+   * where it says no, nothing is measured and all shapes are NaN. Collective.
+   */
+  void FindShapes(const std::function<bool(double)>& goOn, RankCommunicator& ranks);
 
   /** The box of the image, less a margin, in which the centres are. */
   ruc::Window FindWindow() const;
@@ -51,6 +56,8 @@ struct ImageParticles
 
 private:
   void NumberIds();
+  void NumberVoxels();
+  void KeepShapesOfLabels();
   void FillFit(vtkPolyData* data) const;
   ruc::Vector3 PlaceOf(const ruc::Ball& ball) const;
   int FacesThatCut(const ruc::Ball& ball) const;

@@ -37,6 +37,7 @@ constexpr double DiameterOfParticle = 3.0; // the least, in voxels, where it is 
 constexpr double SmallDiameter = 5.0;      // below which the fit finds fewer
 constexpr int MostSmoothing = 10;
 constexpr double MostStretched = 1.1; // an edge of a voxel, over the shortest
+constexpr double FitShare = 0.75;     // of the time that a fit and what is measured after it take
 
 double MeanEdge(const ruc::VoxelGrid& grid)
 {
@@ -206,7 +207,7 @@ void vtkRUCParticlesFromImage::FitSpheres(
   }
   work.Found = ruc::FindSpheres(work.Slab, this->MakeSearch(work), starts, ranks,
     [&](double done, const std::string& what)
-    { return ranks.Rank() != 0 || report.Update(done, what); });
+    { return ranks.Rank() != 0 || report.Update(FitShare * done, what); });
 }
 
 void vtkRUCParticlesFromImage::CutImage(
@@ -239,7 +240,15 @@ void vtkRUCParticlesFromImage::FindParticles(ImageParticles& work, RankCommunica
     work.Found.Stopped ? "a stop before any was found" : "none that is kept");
   if (!work.AreCut)
   {
-    work.FindShapes(ranks);
+    const bool fitted = !work.Found.Stopped; // what a stopped fit has is measured to the end
+    const auto goOn = [&](double done)
+    {
+      const double share = FitShare + (1.0 - FitShare) * done;
+      const bool yes = ranks.Rank() != 0 || report.Update(share, "measuring particles");
+      work.Found.Stopped = !ranks.All(yes) || work.Found.Stopped;
+      return !fitted || !work.Found.Stopped;
+    };
+    work.FindShapes(goOn, ranks);
   }
 }
 
@@ -261,7 +270,10 @@ void vtkRUCParticlesFromImage::Warn(const ImageParticles& work)
   }
   if (work.Found.Stopped)
   {
-    vtkWarningMacro(<< "stopped; the particles are as the fit had them so far.");
+    vtkWarningMacro(<< (work.AreMeasured ? "stopped; the particles are as the fit had them so far."
+                                         : "stopped before the particles were measured: "
+                                           "EqualVolumeRadius and Sphericity are NaN, and outputs "
+                                           "1 and 3 have no array."));
   }
 }
 
@@ -278,6 +290,11 @@ void vtkRUCParticlesFromImage::FillImages(
   };
   ruc::VoxelBlock block;
   vtkDataSetAttributes* voxels = prepare(IDS, block);
+  if (!work.AreMeasured)
+  {
+    prepare(RESIDUAL, block);
+    return;
+  }
   const std::vector<std::int32_t> numbers =
     ruc::TakeBlock(std::exchange(work.Number, {}), block, ranks);
   int* ids =

@@ -26,6 +26,9 @@
  * `Radius`, `Contrast` (of a fit), `Reason` (ruc::DropReason) and `ReasonText`. Output 3 is, with
  * Residual, the image with `Residual` (float), what is left of it when the fitted spheres are taken
  * away; a watershed leaves none.
+ *
+ * A fit that is stopped gives the spheres as they are so far. Where the run is stopped after the
+ * fit, `EqualVolumeRadius` and `Sphericity` are NaN and outputs 1 and 3 have no array.
  */
 #ifndef vtkRUCParticlesFromImage_h
 #define vtkRUCParticlesFromImage_h

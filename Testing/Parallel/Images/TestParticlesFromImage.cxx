@@ -14,6 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -395,5 +396,51 @@ TEST(ParticlesFromImage, StopsInEveryPhase)
       EXPECT_EQ(warnings.Texts.size(), Rank() == 0 && !toEnd ? 1u : 0u);
     }
     EXPECT_GE(kept, 1); // the fit stopped between two sweeps; the watershed that was not stopped
+  }
+}
+
+// Where a run is stopped while it measures, the spheres are those of the whole run
+TEST(ParticlesFromImage, AStopAfterTheFitKeepsTheSpheres)
+{
+  vtkNew<Particles> whole;
+  const StopAt never(whole, -1);
+  whole->SetInputData(Piece(Forms[0], 2));
+  whole->Update();
+  const auto first = std::find_if(never.Texts.begin(), never.Texts.end(),
+    [](const std::string& text) { return text.find("measuring particles") != std::string::npos; });
+  const int event = static_cast<int>(first - never.Texts.begin());
+  if (Rank() == 0)
+  {
+    EXPECT_EQ(never.Texts.end() - first, 3);
+  }
+  for (int later = 0; later < 3; ++later)
+  {
+    SCOPED_TRACE(later);
+    vtkNew<Particles> filter;
+    filter->SetResidual(true);
+    const Warnings warnings(filter);
+    const StopAt stop(filter, event + later);
+    filter->SetInputData(Piece(Forms[0], 2));
+    filter->Update();
+    for (int port : { Particles::IDS, Particles::RESIDUAL })
+    {
+      auto* image = vtkImageData::SafeDownCast(filter->GetOutputDataObject(port));
+      EXPECT_EQ(image->GetCellData()->GetNumberOfArrays(), 0);
+      EXPECT_EQ(image->GetPointData()->GetNumberOfArrays(), 0);
+    }
+    EXPECT_EQ(FieldOf(PackOf(filter), "Stopped"), 1.0);
+    ASSERT_EQ(PackOf(filter)->GetNumberOfPoints(), PackOf(whole)->GetNumberOfPoints());
+    for (vtkIdType n = 0; n < PackOf(filter)->GetNumberOfPoints(); ++n)
+    {
+      EXPECT_EQ(At(PackOf(filter), "Radius", n), At(PackOf(whole), "Radius", n));
+      EXPECT_EQ(At(PackOf(filter), "BorderFaces", n), At(PackOf(whole), "BorderFaces", n));
+      EXPECT_TRUE(std::isnan(At(PackOf(filter), "EqualVolumeRadius", n)));
+      EXPECT_TRUE(std::isnan(At(PackOf(filter), "Sphericity", n)));
+    }
+    if (Rank() == 0)
+    {
+      ASSERT_EQ(warnings.Texts.size(), 1u);
+      ExpectParts(warnings.Texts[0], { "before the particles were measured" });
+    }
   }
 }
