@@ -73,8 +73,8 @@ bool vtkRUCRegionAlgorithm::HasMask()
 
 ruc::Estimate vtkRUCRegionAlgorithm::EstimateRegion()
 {
-  // Any place may be asked for, so that every rank has all of it, but a bit a voxel alone, and as
-  // much again three times to gather it
+  // Any place may be asked for, so that every rank has where runs of inside voxels end, and as much
+  // again to gather it. This holds where such a run, and what follows it, has 32 voxels in the mean
   constexpr double bytesOnEveryRank = 0.5;
   // Of its planes a rank has what is sent, received and put together, or the distances from the
   // border of an eighth of the voxels in place of that

@@ -85,7 +85,7 @@ protected:
   PackData::WindowProperties GetWindowProperties() override;
 
   /** Returns the memory of the mask: every rank holds planes of it while a region is made, and then
-   * a bit a voxel of all of it. */
+   * where runs of inside voxels end. */
   ruc::Estimate EstimateRegion() override;
 
   /**

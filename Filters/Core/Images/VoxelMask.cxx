@@ -38,18 +38,35 @@ void CheckImage(const std::array<int, 3>& dimensions, const Vector3& lower, cons
   Require(product == static_cast<double>(voxels), "Mask", Text(product, " voxels"), voxels);
 }
 
-// The bits of rows of voxels, each of which begins with a byte
-std::vector<std::uint8_t> PackRows(const std::vector<std::uint8_t>& inside, std::size_t width)
+// Where rows of voxels, one after the other, go from outside to inside and back, and how many such
+// ends each row has
+struct RunEnds
 {
-  const std::size_t bytes = (width + 7) / 8;
-  std::vector<std::uint8_t> bits(inside.size() / width * bytes, 0);
-  for (std::size_t n = 0; n < inside.size(); ++n)
+  RunEnds(const std::vector<std::uint8_t>& inside, std::size_t width)
   {
-    const std::size_t x = n % width;
-    bits[n / width * bytes + x / 8] |= static_cast<std::uint8_t>((inside[n] != 0) << x % 8);
+    for (std::size_t row = 0; row < inside.size(); row += width)
+    {
+      const std::size_t before = this->Ends.size();
+      bool was = false;
+      for (std::size_t x = 0; x < width; ++x)
+      {
+        const bool is = inside[row + x] != 0;
+        if (is != was)
+        {
+          this->Ends.push_back(static_cast<std::int32_t>(x));
+        }
+        was = is;
+      }
+      if (was)
+      {
+        this->Ends.push_back(static_cast<std::int32_t>(width));
+      }
+      this->OfRow.push_back(static_cast<std::int32_t>(this->Ends.size() - before));
+    }
   }
-  return bits;
-}
+
+  std::vector<std::int32_t> Ends, OfRow;
+};
 
 // Appends a part, or continues the last interval where the part follows it
 void Append(const LineInterval& part, std::vector<LineInterval>& intervals)
@@ -72,8 +89,8 @@ VoxelMask::VoxelMask(const std::array<int, 3>& dimensions, const Vector3& lower,
   , Spacing(spacing)
 {
   CheckImage(dimensions, lower, spacing, inside.size());
-  this->Bits = PackRows(inside, dimensions[0]);
-  this->Enclose();
+  RunEnds runs(inside, dimensions[0]);
+  this->Take(std::move(runs.Ends), runs.OfRow);
 }
 
 VoxelMask VoxelMask::Gather(
@@ -86,22 +103,30 @@ VoxelMask VoxelMask::Gather(
   std::int64_t voxels = static_cast<std::int64_t>(inside.Values.size());
   ranks.Sum(&voxels, 1);
   CheckImage(mask.Dimensions, mask.Lower, mask.Spacing, static_cast<std::size_t>(voxels));
-  mask.Bits = ranks.Concatenate(PackRows(inside.Values, grid.Dimensions[0]));
-  mask.Enclose();
+  const RunEnds own(inside.Values, grid.Dimensions[0]);
+  mask.Take(ranks.Concatenate(own.Ends), ranks.Concatenate(own.OfRow));
   return mask;
 }
 
-template <class Use>
-void VoxelMask::ForEachVoxel(Use&& use) const
+void VoxelMask::Take(std::vector<std::int32_t> ends, const std::vector<std::int32_t>& endsOfRow)
 {
-  for (int z = 0; z < this->Dimensions[2]; ++z)
+  this->Ends = std::move(ends);
+  this->FirstEnd.assign(1, 0);
+  for (const std::int32_t number : endsOfRow)
   {
-    for (int y = 0; y < this->Dimensions[1]; ++y)
+    this->FirstEnd.push_back(this->FirstEnd.back() + number);
+  }
+  this->Enclose();
+}
+
+template <class Use>
+void VoxelMask::ForEachRun(Use&& use) const
+{
+  for (std::size_t row = 0; row + 1 < this->FirstEnd.size(); ++row)
+  {
+    for (std::int64_t n = this->FirstEnd[row]; n < this->FirstEnd[row + 1]; n += 2)
     {
-      for (int x = 0; x < this->Dimensions[0]; ++x)
-      {
-        use(std::array<int, 3>{ x, y, z }, this->IsInside(x, y, z));
-      }
+      use(row, this->Ends[n], this->Ends[n + 1]);
     }
   }
 }
@@ -109,15 +134,14 @@ void VoxelMask::ForEachVoxel(Use&& use) const
 void VoxelMask::Enclose()
 {
   std::array<int, 3> first = this->Dimensions, last = { -1, -1, -1 };
-  this->ForEachVoxel(
-    [&](const std::array<int, 3>& voxel, bool isInside)
+  this->ForEachRun(
+    [&](std::size_t row, std::int32_t begin, std::int32_t end)
     {
-      this->NumberInside += isInside ? 1 : 0;
-      for (int q = 0; q < 3 && isInside; ++q)
-      {
-        first[q] = std::min(first[q], voxel[q]);
-        last[q] = std::max(last[q], voxel[q]);
-      }
+      this->NumberInside += end - begin;
+      const int y = static_cast<int>(row % this->Dimensions[1]);
+      const int z = static_cast<int>(row / this->Dimensions[1]);
+      first = { std::min(first[0], begin), std::min(first[1], y), std::min(first[2], z) };
+      last = { std::max(last[0], end - 1), std::max(last[1], y), std::max(last[2], z) };
     });
   if (this->NumberInside == 0)
   {
@@ -136,15 +160,13 @@ std::vector<std::size_t> VoxelMask::InsideVoxels() const
 {
   std::vector<std::size_t> voxels;
   voxels.reserve(this->NumberInside);
-  std::size_t voxel = 0;
-  this->ForEachVoxel(
-    [&](const std::array<int, 3>&, bool isInside)
+  this->ForEachRun(
+    [&](std::size_t row, std::int32_t begin, std::int32_t end)
     {
-      if (isInside)
+      for (std::int32_t x = begin; x < end; ++x)
       {
-        voxels.push_back(voxel);
+        voxels.push_back(row * this->Dimensions[0] + x);
       }
-      ++voxel;
     });
   return voxels;
 }
@@ -177,9 +199,11 @@ VoxelMask VoxelMask::Eroded(double margin) const
     return *this;
   }
   VoxelSlab<std::uint8_t> inside = { this->Dimensions, 0, this->Dimensions[2], {} };
-  inside.Values.reserve(inside.PlaneSize() * this->Dimensions[2]);
-  this->ForEachVoxel(
-    [&](const std::array<int, 3>&, bool isInside) { inside.Values.push_back(isInside ? 1 : 0); });
+  inside.Values.assign(inside.PlaneSize() * this->Dimensions[2], 0);
+  for (const std::size_t voxel : this->InsideVoxels())
+  {
+    inside.Values[voxel] = 1;
+  }
   Communicator one;
   return Gather({ this->Dimensions, this->Lower, this->Spacing },
     ErodeMask(std::move(inside), this->Spacing, margin, one), one);

@@ -6,6 +6,7 @@
 #include "ruc/Images/VoxelGrid.h"
 #include "ruc/Window/Window.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,8 +21,9 @@ struct LineInterval
 };
 
 /**
- * A region of any shape, made of the inside voxels of an image with axis-aligned voxels, of which
- * it takes a bit each. Lengths are in the unit of the pack.
+ * A region of any shape, made of the inside voxels of an image with axis-aligned voxels. It keeps
+ * no voxels, but where runs of inside voxels along x begin and end: 8 bytes a run and 8 a row,
+ * which grows with the surface of the region. Lengths are in the unit of the pack.
  */
 class VoxelMask
 {
@@ -72,23 +74,29 @@ private:
   LineInterval ClipToImage(const Vector3& start, const Vector3& direction, double length) const;
 
   VoxelMask() = default;
+  /** Takes the ends of all runs, and how many each row has. Throws where there are none. */
+  void Take(std::vector<std::int32_t> ends, const std::vector<std::int32_t>& endsOfRow);
   /** Sets the number and the bounds of the inside voxels; throws where there are none. */
   void Enclose();
 
-  /** Calls use(voxel, whether it is inside) for all voxels, x running fastest. */
+  /** Calls use(row, begin, end) for all runs of inside voxels begin to end - 1, rows along x in
+   * turn. */
   template <class Use>
-  void ForEachVoxel(Use&& use) const;
+  void ForEachRun(Use&& use) const;
 
   bool IsInside(int x, int y, int z) const
   {
     const std::size_t row = y + static_cast<std::size_t>(this->Dimensions[1]) * z;
-    const std::size_t bytes = (static_cast<std::size_t>(this->Dimensions[0]) + 7) / 8;
-    return (this->Bits[row * bytes + x / 8] >> x % 8 & 1) != 0;
+    const auto begin = this->Ends.begin() + this->FirstEnd[row],
+               end = this->Ends.begin() + this->FirstEnd[row + 1];
+    return (std::upper_bound(begin, end, x) - begin) % 2 != 0;
   }
 
   std::array<int, 3> Dimensions{};
   Vector3 Lower{}, Spacing{};
-  std::vector<std::uint8_t> Bits; // of rows along x, each of which begins with a byte
+  // Of rows along x: the first inside voxel of a run, the first one after it, and so on
+  std::vector<std::int32_t> Ends;
+  std::vector<std::int64_t> FirstEnd; // of each row, and the number of all
   Window Bounds;
   std::size_t NumberInside = 0;
 };

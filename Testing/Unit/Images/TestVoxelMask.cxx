@@ -126,7 +126,7 @@ TEST(VoxelMask, ErosionIsThatOfBruteForce)
 
 TEST(VoxelMask, IsTheSameFromPlanesOnAnyNumberOfRanks)
 {
-  // Rows that end within a byte, planes that end within a rank's halo, and ranks without any
+  // Rows that end inside, planes that end within a rank's halo, and ranks without any
   const ruc::VoxelGrid grid = { { 19, 13, 11 }, { 1, 2, 3 }, { 1.0, 1.5, 0.7 } };
   const std::vector<std::uint8_t> inside = RandomVoxels(19 * 13 * 11, 0.995, 5);
   const VoxelMask whole(grid.Dimensions, grid.Lower, grid.Spacing, inside);
