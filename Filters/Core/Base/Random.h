@@ -23,6 +23,9 @@ enum class RandomStream : std::uint32_t
   LineDirection = 0x71000000u,
   LinePlace = 0x72000000u, // + the set of lines, below 2^24
   SamplePoint = 0x9017f500u,
+  MeshOrder = 0xa3e50000u,
+  MeshPoints = 0xa3e51000u,
+  MeshImprovement = 0xa3e52000u,
   Deposition = 0xba111500u,
   SampleDirection = 0xd14ec700u
 };
