@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 # SPDX-License-Identifier: BSD-3-Clause
-# Run by cmake -P on the pages of the help in the folder PAGES. They are UTF-8, but mostly do not say so, and Qt takes them for Latin-1. And
+# Run by cmake -P on the pages of the help in the folder PAGES. Adds those of the Markdown files in the folder DOCUMENTS, which the program
+# MARKDOWN makes, if there is one. The pages of proxies are UTF-8, but mostly do not say so, and Qt takes them for Latin-1. And
 # a page lists only the properties of the proxy itself, but the reader has most of them from its reader of one file.
 set(end "</table>")
 set(end_of_row "</tr>")
@@ -27,3 +28,30 @@ foreach (page IN LISTS pages)
     file(WRITE "${page}" "${finished}")
   endif ()
 endforeach ()
+
+# The documents, with their pictures beside them. What links lead to outside the documents is not in the help.
+set(style "body { font-family: sans-serif; } td, th { padding: 2px 8px; vertical-align: top; } pre { background-color: #f0f0f0; padding: 6px; }")
+if (MARKDOWN)
+  file(GLOB documents "${DOCUMENTS}/*.md")
+  foreach (document IN LISTS documents)
+    get_filename_component(name "${document}" NAME_WE)
+    execute_process(COMMAND "${MARKDOWN}" -e utf-8 -x tables -x fenced_code -x toc "${document}" OUTPUT_VARIABLE text RESULT_VARIABLE failed)
+    if (failed)
+      message(FATAL_ERROR "${MARKDOWN} does not make a page of ${document}: ${failed}")
+    endif ()
+    string(REGEX MATCH "<h1[^>]*>([^<]*)</h1>" title "${text}")
+    set(title "${CMAKE_MATCH_1}")
+    string(REGEX MATCHALL "src=\"[^\"]*\"" pictures "${text}")
+    foreach (picture IN LISTS pictures)
+      string(REGEX REPLACE "src=\"(.*)\"" "\\1" picture "${picture}")
+      get_filename_component(file "${picture}" NAME)
+      file(COPY "${DOCUMENTS}/${picture}" DESTINATION "${PAGES}")
+      string(REPLACE "src=\"${picture}\"" "src=\"${file}\" width=\"700\"" text "${text}")
+    endforeach ()
+    string(REGEX REPLACE "<a href=\"\\.\\./[^>]*>([^<]*)</a>" "\\1" text "${text}")
+    string(REGEX REPLACE "href=\"([A-Za-z]+)\\.md" "href=\"\\1.html" text "${text}")
+    string(REPLACE "<table>" "<table border=\"1\" cellspacing=\"0\">" text "${text}")
+    file(WRITE "${PAGES}/${name}.html"
+      "<html><head><meta charset=\"utf-8\"/><title>${title}</title><style>${style}</style></head><body>\n${text}\n</body></html>\n")
+  endforeach ()
+endif ()

@@ -2,16 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pages of the help that the plugin carries: one for each proxy, with formulas and source, in readable letters.
 
-    pvpython TestHelp.py RepresentativeUnitCell.so RepresentativeUnitCell.qch
+    pvpython TestHelp.py RepresentativeUnitCell.so RepresentativeUnitCell.qch FOLDER     FOLDER of the documents, if they are in the help, too
 
 A help file of Qt is an SQLite database of compressed pages.
 """
 import base64
+import os
+import re
 import sqlite3
 import sys
 import zlib
 
-PLUGIN, FILE = sys.argv[1:3]
+PLUGIN, FILE, *DOCUMENTS = sys.argv[1:]
 # For each proxy a formula that only its page has, as a user reads it
 FORMULAS = {
     'filters.OnePointProbability': 'c_r = (1 / V) Σ (4 π / 3) a_i³',
@@ -57,9 +59,11 @@ with open(FILE, 'rb') as file:
     encoded = base64.b64encode(file.read())
 assert encoded[:200] in library and encoded[-200:] in library, 'no help in the plugin'
 database = sqlite3.connect(FILE)
-pages = {}
+pages, names = {}, set()
 for name, data in database.execute('select Name, Data from FileNameTable join FileDataTable on FileId = Id where Data is not null'):
-    pages[name] = zlib.decompress(data[4:]).decode('utf-8')  # qCompress writes the length before it
+    names.add(name)
+    if name.endswith('.html'):
+        pages[name] = zlib.decompress(data[4:]).decode('utf-8')  # qCompress writes the length before it
 print(len(pages), 'pages')
 
 # A proxy without a formula here would go unseen
@@ -79,5 +83,17 @@ for proxy, formula in FORMULAS.items():
             failures.append('%s does not have: %s' % (proxy, part))
     if sum(formula in ' '.join(other.split()) for other in pages.values()) != 1:
         failures.append('%s: the formula is on other pages too' % proxy)
+# Every document has its page, and every link and picture of it what it leads to
+for folder in DOCUMENTS:
+    for document in os.listdir(folder):
+        page = pages.get(document.replace('.md', '.html'))
+        if not page:
+            failures.append(document + ' has no page')
+            continue
+        for target in re.findall(r'(?:href|src)="([^"#]+)', page):
+            if not target.startswith('https://') and target not in names:
+                failures.append('%s leads to %s, which is not in the help' % (document, target))
+        if '| ---' in page or '```' in page:
+            failures.append(document + ' has Markdown left')
 print('\n'.join(failures))
 sys.exit(1 if failures else 0)

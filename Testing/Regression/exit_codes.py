@@ -51,7 +51,7 @@ def readme():
     with open(os.path.join(ROOT, 'README.md'), encoding='utf-8') as file:
         blocks = re.findall(r'```python\n(.*?)```', file.read(), re.DOTALL)
     stop, = (block for block in blocks if 'ErrorEvent' in block)
-    return stop + blocks[0].replace('bead_block.csv', 'bad.csv')
+    return stop + blocks[0].replace('Examples/Data/bead_block.csv', 'bad.csv')
 
 
 found = [*examples('make_parser('), *examples('= parse_arguments(\n')]

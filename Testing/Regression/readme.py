@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python of the READMEs runs as it is printed, and what it saves is what was computed, with every digit and the box of the cell.
+"""The Python of the READMEs and of Plugin/Documentation runs as it is printed, and what it saves is what was computed, with every digit and the box of the cell.
 
     pvbatch readme.py FOLDER     FOLDER for its files
 """
@@ -17,6 +17,7 @@ from paraview.simple import *
 from harness import RANKS, columns, fetch, run
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+DOCUMENTATION = os.path.join(ROOT, 'Plugin', 'Documentation')
 FOLDER = os.path.join(sys.argv[1], 'readme_%d' % RANKS)
 ARRAYS = ('Radius', 'Mode', 'Id')
 
@@ -119,17 +120,36 @@ def require_saved(cell):
         assert places(fetch(SpherePackReader(FileName=[file]))) == expected, file
 
 
+def require_arrays(names, cell):
+    assert names['s']['S_m_m'].tolist() == columns(names['probabilities'])['S_m_m']
+    centres, = names['cells_as_arrays']
+    expected = sorted(sphere[:5] for sphere in spheres(fetch(cell)))
+    assert sorted((*centre, radius, mode) for centre, radius, mode in zip(centres.tolist(), names['radii'].tolist(), names['modes_of_cell'].tolist())) == expected
+    assert names['phase'].max() == max(sphere[4] for sphere in expected)
+    mine = fetch(names['mine'])
+    assert sorted((*mine.GetPoint(i), mine.GetPointData().GetArray('Radius').GetValue(i)) for i in range(mine.GetNumberOfPoints())) == [
+        sphere[:4] for sphere in expected]
+    assert box(mine) == box(fetch(cell))
+
+
+def go_on(names, *path):
+    """Runs the blocks of a page, each of which goes on where the one before ended."""
+    names = dict(names)
+    for n, block in enumerate(blocks(*path)):
+        exec(compile(block, '%s, block %d' % (path[-1], n + 1), 'exec'), names)
+    return names
+
+
 def readme():
-    """Each block goes on where the one before ended."""
-    names = {}
-    for n, block in enumerate(blocks('README.md')):
-        exec(compile(block, 'README.md, block %d' % (n + 1), 'exec'), names)
-        if 'cell_box.csv' in block:
-            require_files(names)
-        if 'cell.dump' in block:
-            require_saved(names['cell'])
-    require_particles(names['settled'])
-    assert len(columns(names['cells'], 4)['Seed']) == 5
+    """Every page goes on where the README ended."""
+    names = go_on({}, 'README.md')
+    require_files(names)
+    pages = {name: go_on(names, 'Plugin', 'Documentation', name) for name in sorted(os.listdir(DOCUMENTATION))}
+    require_saved(names['cell'])
+    require_formats(pages['Files.md'])
+    require_particles(pages['Files.md']['settled'])
+    assert len(columns(pages['Cells.md']['cells'], 4)['Seed']) == 5
+    require_arrays(pages['Python.md'], names['cell'])
 
 
 def shortest_script():
@@ -147,7 +167,7 @@ os.chdir(FOLDER)
 for file in os.listdir():
     if os.path.isfile(file):
         os.remove(file)
-link('bead_block.csv', 'Data', 'bead_block.csv')
+link('Examples')
 link('Data', 'Data')
 write_particles('particles.vtp')
 write_formats()
