@@ -205,6 +205,13 @@ bool AreEqual(vtkAbstractArray* a, vtkAbstractArray* b)
   return equal;
 }
 
+const char* HowToMakePoints(vtkDataObject* data)
+{
+  return data->IsA("vtkTable")  ? "; Points To Sphere Pack makes a pack of one"
+    : data->IsA("vtkImageData") ? "; Particles From Image makes a pack of one"
+                                : "";
+}
+
 // Adds the first array of every name
 void AddFields(vtkFieldData* fields, vtkFieldData* merged)
 {
@@ -231,12 +238,15 @@ void PackInput::Accept(vtkInformation* portInformation)
   // The pipeline looks only at the first type when it decides whether to go through the blocks
   portInformation->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   portInformation->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  // Anything else is refused in one line, where the pipeline would say it a dozen times
+  portInformation->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   portInformation->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
 }
 
-vtkSmartPointer<vtkPointSet> PackInput::FindHere(vtkDataObject* input)
+vtkSmartPointer<vtkPointSet> PackInput::FindHere(vtkDataObject* input, bool withTables)
 {
-  if (auto* table = vtkTable::SafeDownCast(input))
+  vtkTable* table = vtkTable::SafeDownCast(input);
+  if (table && withTables)
   {
     return PointsOfTable(table);
   }
@@ -252,8 +262,9 @@ vtkSmartPointer<vtkPointSet> PackInput::FindHere(vtkDataObject* input)
     auto* points = vtkPointSet::SafeDownCast(part);
     if (!points && !part->IsA("vtkCompositeDataSet"))
     {
-      throw std::invalid_argument(Text("Blocks of a pack require points, got a ",
-        part->GetClassName(), part->IsA("vtkTable") ? "; Table To Points makes them." : "."));
+      throw std::invalid_argument(Text(part == input ? "A pack requires points, got a "
+                                                     : "Blocks of a pack require points, got a ",
+        part->GetClassName(), HowToMakePoints(part), "."));
     }
     if (points && points->GetNumberOfPoints() > 0)
     {
@@ -285,10 +296,11 @@ vtkSmartPointer<vtkPointSet> PackInput::FindHere(vtkDataObject* input)
   return merged;
 }
 
-vtkSmartPointer<vtkPointSet> PackInput::Find(vtkDataObject* input, RankCommunicator& ranks)
+vtkSmartPointer<vtkPointSet> PackInput::Find(
+  vtkDataObject* input, RankCommunicator& ranks, bool withTables)
 {
   vtkSmartPointer<vtkPointSet> points;
-  ranks.Agree([&]() { points = FindHere(input); });
+  ranks.Agree([&]() { points = FindHere(input, withTables); });
   return points;
 }
 

@@ -51,7 +51,7 @@ void vtkRUCPackAlgorithm::Execute(
 {
   RequireOne(inputs[0], "Input", "pack");
   const vtkSmartPointer<vtkPointSet> points =
-    PackInput::Find(vtkDataObject::GetData(inputs[0]), ranks);
+    PackInput::Find(vtkDataObject::GetData(inputs[0]), ranks, this->TakesTables());
   std::int64_t spheres = points ? points->GetNumberOfPoints() : 0;
   ranks.Sum(&spheres, 1);
   this->SpheresFound = spheres;

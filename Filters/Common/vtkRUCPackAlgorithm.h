@@ -103,6 +103,9 @@ protected:
   void Execute(
     vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks) override;
 
+  /** Whether a table of spheres is a pack. */
+  virtual bool TakesTables() const { return false; }
+
   virtual PackData::WindowProperties GetWindowProperties();
 
   ///@{

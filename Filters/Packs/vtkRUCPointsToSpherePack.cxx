@@ -160,13 +160,6 @@ std::vector<std::string> AddTypes(
 }
 }
 
-int vtkRUCPointsToSpherePack::FillInputPortInformation(int, vtkInformation* info)
-{
-  PackInput::Accept(info);
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
-  return 1;
-}
-
 int vtkRUCPointsToSpherePack::FillOutputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
@@ -442,7 +435,7 @@ std::optional<ruc::Estimate> vtkRUCPointsToSpherePack::MakeEstimate()
   constexpr double secondsPerPoint = 1e-6, bytesPerPoint = 300.0; // with some arrays of their own
   const RankCommunicator ranks(this->GetController());
   const std::optional<double> points =
-    PackEstimate::FindSpheres(PackInput::FindHere(this->GetInputDataObject(0, 0)),
+    PackEstimate::FindSpheres(PackInput::FindHere(this->GetInputDataObject(0, 0), true),
       static_cast<double>(this->GetKnownSpheres()), ranks.Size());
   return points ? std::optional(ruc::Estimate{ *points * secondsPerPoint, 0.0,
                     *points * bytesPerPoint / ruc::BytesOfMegabyte, {} })

@@ -128,7 +128,7 @@ protected:
   vtkRUCPointsToSpherePack() = default;
   ~vtkRUCPointsToSpherePack() override = default;
   const char* GetLabel() const override { return "Points To Sphere Pack"; }
-  int FillInputPortInformation(int port, vtkInformation* info) override;
+  bool TakesTables() const override { return true; }
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;
   std::optional<ruc::Estimate> MakeEstimate() override;

@@ -56,13 +56,6 @@ vtkRUCUnitCellReconstruction::vtkRUCUnitCellReconstruction()
   this->Search.Gradient.Neighbours.PoreWeight = 1.0;
 }
 
-int vtkRUCUnitCellReconstruction::FillInputPortInformation(int port, vtkInformation* info)
-{
-  this->Superclass::FillInputPortInformation(port, info);
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
-  return 1;
-}
-
 int vtkRUCUnitCellReconstruction::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(),

@@ -280,7 +280,6 @@ protected:
   ~vtkRUCUnitCellReconstruction() override = default;
   const char* GetLabel() const override { return "Unit Cell Reconstruction"; }
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   void Execute(
     vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks) override;
   void Execute(vtkPointSet* input, vtkInformationVector* outputs, RankCommunicator& ranks) override;

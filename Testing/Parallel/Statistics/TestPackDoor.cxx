@@ -19,6 +19,7 @@
 #include "vtkRUCUnitCellReconstruction.h"
 #include "vtkRUCVoidDistances.h"
 
+#include "vtkImageData.h"
 #include "vtkTable.h"
 #include "vtkTrivialProducer.h"
 
@@ -388,4 +389,31 @@ TEST(PackDoor, ARefusedInputIsNotToldAgainDownstream)
   modes->SetInputData(DataOf(FewSizes()));
   probability->Update();
   EXPECT_EQ(RefusalOf(probability->GetOutputDataObject(0)), "") << "mended input is taken again";
+}
+
+// What is no pack is refused in one line, and not by the pipeline
+TEST(PackDoor, OtherDataAreRefusedInOneLine)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 3);
+  vtkNew<vtkTable> table;
+  ForEachFilter(
+    [&](auto* of)
+    {
+      using Filter = FilterOf<decltype(of)>;
+      const auto refuses = [&](vtkDataObject* data, const std::vector<std::string>& parts)
+      {
+        vtkNew<Filter> filter;
+        Prepare(filter.Get());
+        const Errors errors(filter);
+        filter->SetInputData(data);
+        filter->Update();
+        ExpectRefusal(filter, errors, parts);
+      };
+      refuses(image, { "requires points, got a vtkImageData; Particles From Image makes" });
+      if (!std::is_same<Filter, vtkRUCPointsToSpherePack>::value)
+      {
+        refuses(table, { "requires points, got a vtkTable; Points To Sphere Pack makes" });
+      }
+    });
 }
