@@ -32,7 +32,10 @@ public:
   void Build()
   {
     std::vector<int> order = InsertionOrder(this->Points);
-    this->Start(order);
+    if (!this->Start(order))
+    {
+      return;
+    }
     for (std::size_t n = 4; n < order.size(); ++n)
     {
       this->Insert(order[n]);
@@ -108,8 +111,9 @@ private:
              this->At(c[0]), this->At(c[1]), this->At(c[2]), this->At(c[3]), this->At(point)) > 0;
   }
 
-  // Moves the first points that span a volume to the front and makes the first five cells
-  void Start(std::vector<int>& order);
+  // Moves the first points that span a volume to the front and makes the first five cells; returns
+  // false where there are none
+  bool Start(std::vector<int>& order);
 
   // Walks from the last new cell to one that is in conflict with the point
   int Locate(int point) const
@@ -162,7 +166,7 @@ private:
   std::vector<OpenEdge> Edges = std::vector<OpenEdge>(1024);
 };
 
-void Tessellation::Start(std::vector<int>& order)
+bool Tessellation::Start(std::vector<int>& order)
 {
   const auto bring = [&](std::size_t place, auto&& fits)
   {
@@ -170,10 +174,10 @@ void Tessellation::Start(std::vector<int>& order)
       std::find_if(order.begin() + static_cast<std::ptrdiff_t>(place), order.end(), fits);
     if (found == order.end())
     {
-      throw std::invalid_argument(Text(
-        "a tessellation requires points that do not lie in one plane, got ", order.size(), "."));
+      return false;
     }
     std::rotate(order.begin() + static_cast<std::ptrdiff_t>(place), found, found + 1);
+    return true;
   };
   const auto line = [&](int n)
   {
@@ -190,12 +194,15 @@ void Tessellation::Start(std::vector<int>& order)
     }
     return true;
   };
-  bring(0, [](int) { return true; });
-  bring(1, [&](int n) { return this->At(n) != this->At(order[0]); });
-  bring(2, [&](int n) { return !line(n); });
   const auto side = [&](int n)
   { return Orientation(this->At(order[0]), this->At(order[1]), this->At(order[2]), this->At(n)); };
-  bring(3, [&](int n) { return side(n) != 0; });
+  const bool found = bring(0, [](int) { return true; }) &&
+    bring(1, [&](int n) { return this->At(n) != this->At(order[0]); }) &&
+    bring(2, [&](int n) { return !line(n); }) && bring(3, [&](int n) { return side(n) != 0; });
+  if (!found)
+  {
+    return false;
+  }
   if (side(order[3]) < 0)
   {
     std::swap(order[0], order[1]);
@@ -218,6 +225,7 @@ void Tessellation::Start(std::vector<int>& order)
       cell.Neighbours[corner] = 1 + static_cast<int>(opposite - first.begin());
     }
   }
+  return true;
 }
 
 int Tessellation::NewCell()

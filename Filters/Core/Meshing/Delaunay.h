@@ -19,7 +19,8 @@ using Tetrahedron = std::array<int, 4>;
  * lie on one empty sphere, the order of the points decides between the tessellations that they
  * have. Time is about 3 µs and memory 500 bytes a point.
  *
- * Throws std::invalid_argument where two points are equal or all lie in one plane.
+ * There are none where all points lie in one plane. Throws std::invalid_argument where two points
+ * are equal.
  *
  * Source: Bowyer, The Computer Journal 24, 162; Watson, The Computer Journal 24, 167 (1981).
  */

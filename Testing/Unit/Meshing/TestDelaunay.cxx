@@ -175,12 +175,12 @@ TEST(Delaunay, ManyPointsFillTheCube)
   EXPECT_NEAR(volume / (edge * edge * edge), 1.0, 1e-12); // 130 000 terms of rounding 1e-16
 }
 
-TEST(Delaunay, RefusesEqualAndFlatPoints)
+TEST(Delaunay, PlanesHaveNoneAndEqualPointsAreRefused)
 {
-  EXPECT_THROW(DelaunayTetrahedra({}), std::invalid_argument);
-  EXPECT_THROW(
-    DelaunayTetrahedra({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 3, 0 }, { 5, 5, 0 } }),
-    std::invalid_argument);
+  EXPECT_TRUE(DelaunayTetrahedra({}).empty());
+  EXPECT_TRUE(
+    DelaunayTetrahedra({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 3, 0 }, { 5, 5, 0 } })
+      .empty());
   std::vector<GridPoint> points = OnGrid(RandomPoints(50, 1));
   points.push_back(points[17]);
   EXPECT_THROW(DelaunayTetrahedra(points), std::invalid_argument);
