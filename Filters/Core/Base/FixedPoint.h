@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -22,6 +23,10 @@ inline std::int64_t RoundToFixedPoint(double value)
   std::memcpy(&base, &FixedPointRounder, sizeof(base));
   return bits - base;
 }
+
+/** Adds to every sum a value, which is held to +-most, times `scale` < 2^51 / most, as above. */
+void AddFixedPoint(
+  const double* values, std::size_t count, double most, double scale, std::int64_t* sums);
 
 /**
  * Adds a number to a sum of fixed-point numbers that 64 bits cannot hold. The sum is limbs[0] +

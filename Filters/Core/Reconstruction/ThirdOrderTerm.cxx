@@ -18,6 +18,10 @@ namespace
 // overlap as little as in a search
 constexpr double Most = 1024.0;
 
+// The multipoles of all centres of a rank are kept from the value to the gradient if they are not
+// more
+constexpr std::size_t MostKept = 1 << 25;
+
 // Scatter below this share of the largest is rounding
 constexpr double LeastError = 1e-9;
 }
@@ -43,7 +47,7 @@ double ThirdOrderTerm::Evaluate(const double* centres, double factor, double* gr
     *std::max_element(this->Contents.Radius.begin(), this->Contents.Radius.end());
   const CellSurroundings cell(
     this->Contents, centres, this->Pack.Shells.Distances.back() + 2.0 * largest);
-  const std::vector<double> values = this->FindValues(cell);
+  const std::vector<double> values = this->FindValues(cell, gradient != nullptr);
   const std::vector<double>& errors = this->Pack.Error;
   const double least = LeastError * *std::max_element(errors.begin(), errors.end());
   double misfit = 0.0, count = 0.0;
@@ -88,27 +92,33 @@ void ThirdOrderTerm::Gather(const CellSurroundings& cell, std::size_t i,
     });
 }
 
-std::vector<double> ThirdOrderTerm::FindValues(const CellSurroundings& cell)
+// Where the multipoles of a centre are kept, or null
+double* ThirdOrderTerm::KeptOf(std::size_t i)
 {
+  return this->Kept.empty() ? nullptr : &this->Kept[i / this->Ranks.Size() * this->Shells.Size()];
+}
+
+std::vector<double> ThirdOrderTerm::FindValues(const CellSurroundings& cell, bool keeps)
+{
+  const std::size_t needed = (cell.Size() / this->Ranks.Size() + 1) * this->Shells.Size();
+  this->Kept.resize(keeps && needed <= MostKept ? needed : 0);
   const std::size_t products = this->Pack.Shells.NumberOfProducts();
   const double scale = PairHistogram::FixedPointScale(1, cell.Size(), Most);
   const std::vector<std::int64_t> sums = SumOverCentres(cell, this->Pack.Value.size(), this->Ranks,
     [&](std::int64_t* own)
     {
       return [&, own, around = std::vector<ShellMultipoles::Neighbour>(),
-               spheres = std::vector<std::size_t>(),
-               multipoles = std::vector<double>(this->Shells.Size()),
+               spheres = std::vector<std::size_t>(), single = AlignedNumbers(this->Shells.Size()),
                values = std::vector<double>(products)](std::size_t i) mutable
       {
         const std::size_t sphere = cell.SphereOf(i);
+        double* const kept = this->KeptOf(i);
+        double* const multipoles = kept ? kept : single.data();
         this->Gather(cell, i, around, spheres);
-        this->Shells.Sum(cell.RadiusOf(sphere), around, multipoles.data());
-        this->Shells.FindProducts(multipoles.data(), values.data());
-        std::int64_t* const target = own + this->ClassOf(cell, sphere) * products;
-        for (std::size_t k = 0; k < products; ++k)
-        {
-          target[k] += RoundToFixedPoint(std::clamp(values[k], -Most, Most) * scale);
-        }
+        this->Shells.Sum(cell.RadiusOf(sphere), around, multipoles);
+        this->Shells.FindProducts(multipoles, values.data());
+        AddFixedPoint(
+          values.data(), products, Most, scale, own + this->ClassOf(cell, sphere) * products);
       };
     });
   std::vector<double> values;
@@ -136,7 +146,7 @@ void ThirdOrderTerm::AddGradient(
   // with the first distance as the unit of length, they give forces of about 1.
   const double length = this->Pack.Shells.Distances.front(), steep = std::sqrt(squares);
   const double fewest = *std::min_element(this->Centres.begin(), this->Centres.end());
-  std::vector<std::vector<double>> factors; // of every class of the centre
+  std::vector<AlignedNumbers> factors; // of every class of the centre
   for (int r = 0; r < this->Pack.Shells.Classes; ++r)
   {
     std::vector<double> mu(slopes.begin() + r * products, slopes.begin() + (r + 1) * products);
@@ -151,16 +161,19 @@ void ThirdOrderTerm::AddGradient(
     [&](std::int64_t* own)
     {
       return [&, own, around = std::vector<ShellMultipoles::Neighbour>(),
-               spheres = std::vector<std::size_t>(),
-               multipoles = std::vector<double>(this->Shells.Size()),
-               lambda = std::vector<double>(this->Shells.Size()),
+               spheres = std::vector<std::size_t>(), single = AlignedNumbers(this->Shells.Size()),
+               lambda = AlignedNumbers(this->Shells.Size()),
                pushes = std::vector<double>()](std::size_t i) mutable
       {
         const std::size_t sphere = cell.SphereOf(i);
         const int r = this->ClassOf(cell, sphere);
         this->Gather(cell, i, around, spheres);
-        this->Shells.Sum(cell.RadiusOf(sphere), around, multipoles.data());
-        this->Shells.FindGradient(multipoles.data(), factors[r].data(), lambda.data());
+        const double* const kept = this->KeptOf(i);
+        if (!kept)
+        {
+          this->Shells.Sum(cell.RadiusOf(sphere), around, single.data());
+        }
+        this->Shells.FindGradient(kept ? kept : single.data(), factors[r].data(), lambda.data());
         pushes.resize(3 * around.size());
         this->Shells.FindForces(cell.RadiusOf(sphere), around, lambda.data(), pushes.data());
         AddPushes(sphere, spheres, pushes, Most, scale, own);
@@ -175,14 +188,15 @@ void ThirdOrderTerm::AddGradient(
 
 Estimate EstimateThirdOrderTerm(const CellFigures& cell, const NeighbourhoodSettings& settings)
 {
-  constexpr double secondsOfPair = 5e-7, secondsOfProduct = 4e-9;
+  constexpr double secondsOfPair = 2.5e-7, secondsOfProduct = 3e-9;
   const std::vector<double> distances =
     settings.Distances.empty() ? AutomaticShells(2.0 * cell.LargestRadius) : settings.Distances;
   const ShellSettings shells = { distances, settings.Degree, settings.Classes };
   const double reach = distances.back() + 2.0 * cell.LargestRadius;
   const double pairs = cell.Spheres * cell.Density * SphereVolume(reach);
   const double products = static_cast<double>(shells.NumberOfProducts());
+  const double kept = std::min(cell.Spheres * ShellMultipoles(shells).Size(), double(MostKept));
   return { pairs * secondsOfPair + cell.Spheres * products * secondsOfProduct,
-    4.0 * 8.0 * settings.Classes * products / BytesOfMegabyte, 0.0 };
+    8.0 * (4.0 * settings.Classes * products + kept) / BytesOfMegabyte, 0.0 };
 }
 }

@@ -39,7 +39,8 @@ private:
   int ClassOf(const CellSurroundings& cell, std::size_t sphere) const;
   void Gather(const CellSurroundings& cell, std::size_t i,
     std::vector<ShellMultipoles::Neighbour>& around, std::vector<std::size_t>& spheres) const;
-  std::vector<double> FindValues(const CellSurroundings& cell);
+  double* KeptOf(std::size_t i);
+  std::vector<double> FindValues(const CellSurroundings& cell, bool keeps);
   void AddGradient(const CellSurroundings& cell, const std::vector<double>& slopes, double factor,
     double* gradient);
 
@@ -48,6 +49,7 @@ private:
   Communicator& Ranks;
   ShellMultipoles Shells;
   std::vector<double> Centres; // of the cell, of each class
+  AlignedNumbers Kept;         // the multipoles around every centre of this rank
 };
 
 /** What one evaluation with its gradient takes. */

@@ -96,8 +96,8 @@ public:
 #pragma omp parallel
     {
       std::vector<std::int64_t> own(total.size(), 0);
-      std::vector<double> sums(this->Shells.Size()),
-        products(this->Shells.GetSettings().NumberOfProducts());
+      AlignedNumbers sums(this->Shells.Size());
+      std::vector<double> products(this->Shells.GetSettings().NumberOfProducts());
       std::vector<ShellMultipoles::Neighbour> around;
 #pragma omp for schedule(dynamic, 16) nowait
       for (std::int64_t n = 0; n < centres; ++n)
@@ -110,10 +110,7 @@ public:
           &own[this->PlaceOf(this->Region.BlockOf(this->Share.Own.Centre(place)),
             this->ClassOf(this->Share.Own, place))];
         ++target[0];
-        for (std::size_t k = 0; k < products.size(); ++k)
-        {
-          target[1 + k] += RoundToFixedPoint(std::clamp(products[k], -Most, Most) * scale);
-        }
+        AddFixedPoint(products.data(), products.size(), Most, scale, target + 1);
         if (progress && omp_get_thread_num() == 0)
         {
           progress(double(n) / centres);

@@ -54,20 +54,37 @@ struct RootWeights
 };
 const RootWeights Roots;
 
-// Y_lm in a direction, and their gradients but for the part along it
+// Some neighbours side by side. Lanes without one repeat the last.
+struct Group
+{
+  const ShellMultipoles::Neighbour* First;
+  int Count;
+};
+
+// Y_lm in the directions of a group, and their gradients but for the part along them
 struct DirectionHarmonics
 {
-  DirectionHarmonics(const Vector3& u, int degree, bool withGradients);
+  [[gnu::always_inline]] inline DirectionHarmonics(
+    const Group& group, int degree, bool withGradients);
 
-  double Y[MostHarmonics];
-  double Along[3][MostHarmonics];
+  Lanes Y[MostHarmonics];
+  Lanes Along[3][MostHarmonics];
 };
 
 // For the gradients see Turn in LocalForces.cxx
-DirectionHarmonics::DirectionHarmonics(const Vector3& u, int degree, bool withGradients)
+inline DirectionHarmonics::DirectionHarmonics(const Group& group, int degree, bool withGradients)
 {
-  double real[HarmonicCount(GreatestDegree)], imaginary[HarmonicCount(GreatestDegree)];
-  FindHarmonics<double>(degree + (withGradients ? 1 : 0), u[0], u[1], u[2], 1.0, real, imaginary);
+  Lanes u[3];
+  for (int lane = 0; lane < NumberOfLanes; ++lane)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      u[axis][lane] = group.First[std::min(lane, group.Count - 1)].Direction[axis];
+    }
+  }
+  Lanes real[HarmonicCount(GreatestDegree)], imaginary[HarmonicCount(GreatestDegree)];
+  FindHarmonics<Lanes>(
+    degree + (withGradients ? 1 : 0), u[0], u[1], u[2], Lanes{} + 1.0, real, imaginary);
   for (int l = 0; l <= degree; ++l)
   {
     for (int m = 0; m <= l; ++m)
@@ -81,8 +98,8 @@ DirectionHarmonics::DirectionHarmonics(const Vector3& u, int degree, bool withGr
         continue;
       }
       const int up = HarmonicPlace(l + 1, m + 1), same = up - 1, down = up - 2;
-      const double before = m > 0 ? real[down] : -real[up];
-      const double imaginaryBefore = m > 0 ? imaginary[down] : imaginary[up];
+      const Lanes before = m > 0 ? real[down] : -real[up];
+      const Lanes imaginaryBefore = m > 0 ? imaginary[down] : imaginary[up];
       this->Along[0][2 * n] = 0.5 * root * (before - real[up]);
       this->Along[0][2 * n + 1] = 0.5 * root * (imaginaryBefore - imaginary[up]);
       this->Along[1][2 * n] = -0.5 * root * (imaginaryBefore + imaginary[up]);
@@ -128,107 +145,170 @@ inline Caps::Caps(
   }
 }
 
-// The two loops over shells and harmonics. `sums` and `lambda` begin with the neighbour's class.
-RUC_VECTOR_CLONES
-void AddCaps(const ShellMultipoles::Neighbour& neighbour, double radius, const double* distances,
-  int shells, int degree, const double* y, double* sums)
+// The shells around a centre, and where its multipoles stand
+struct Surround
 {
-  for (int n = 0; n < shells; n += NumberOfLanes)
-  {
-    if (neighbour.Distance - neighbour.Radius >= radius + distances[n + NumberOfLanes - 1])
-    {
-      continue; // it reaches none of these shells
-    }
-    Lanes block;
-    Load(distances + n, block);
-    const Caps caps(block, radius, neighbour, degree);
-    for (int l = 0; l <= degree; ++l)
-    {
-      for (int k = 2 * HarmonicPlace(l, 0); k < 2 * HarmonicPlace(l + 1, 0); ++k)
-      {
-        Lanes sum;
-        Load(sums + k * shells + n, sum);
-        sum += (caps.Of[l] * y[k] + Rounder) - Rounder;
-        Store(sum, sums + k * shells + n);
-      }
-    }
-  }
-}
+  double Radius;
+  const double* Distances;
+  int Shells, Degree;
+  std::size_t SizeOfClass;
 
-// Along the neighbour's direction, and along x, y and z
-RUC_VECTOR_CLONES
-void FindPull(const ShellMultipoles::Neighbour& neighbour, double radius, const double* distances,
-  int shells, int degree, const DirectionHarmonics& harmonics, const double* lambda, double* pull)
-{
-  Lanes away = {}, across[3] = {};
-  for (int n = 0; n < shells; n += NumberOfLanes)
+  // Whether a neighbour cuts any shell of the block that begins with the n-th
+  [[gnu::always_inline]] inline bool IsCut(const ShellMultipoles::Neighbour& neighbour, int n) const
   {
-    if (neighbour.Distance - neighbour.Radius >= radius + distances[n + NumberOfLanes - 1])
-    {
-      continue; // it reaches none of these shells
-    }
-    Lanes block;
-    Load(distances + n, block);
-    const Caps caps(block, radius, neighbour, degree);
-    for (int l = 0; l <= degree; ++l)
-    {
-      Lanes value = {}, turned[3] = {};
-      for (int k = 2 * HarmonicPlace(l, 0); k < 2 * HarmonicPlace(l + 1, 0); ++k)
-      {
-        Lanes factor;
-        Load(lambda + k * shells + n, factor);
-        value += factor * harmonics.Y[k];
-        turned[0] += factor * harmonics.Along[0][k];
-        turned[1] += factor * harmonics.Along[1][k];
-        turned[2] += factor * harmonics.Along[2][k];
-      }
-      away += value * caps.Legendre[l] * caps.Slope;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        across[axis] += turned[axis] * caps.Of[l];
-      }
-    }
+    const double b = neighbour.Radius, d = neighbour.Distance;
+    return d - b < this->Radius + this->Distances[n + NumberOfLanes - 1] &&
+      d + b > this->Radius + this->Distances[n];
   }
-  pull[0] = -2.0 * Pi * Sum(away); // dC_l/dx = -2 pi P_l
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    pull[1 + axis] = Sum(across[axis]);
-  }
-}
+};
 
-// Adds f times the products of two rows of numbers to a table of them
+// The loops over neighbours, shells and harmonics
 RUC_VECTOR_CLONES
-void AddProducts(const double* a, const double* b, int rows, int shells, double* table)
+void AddCaps(const Group& group, const Surround& around, double* sums)
 {
-  for (int row = 0; row < rows; ++row)
+  const int shells = around.Shells, degree = around.Degree;
+  const DirectionHarmonics harmonics(group, degree, false);
+  for (int j = 0; j < group.Count; ++j)
   {
-    const double factor = a[row];
+    const ShellMultipoles::Neighbour& neighbour = group.First[j];
+    double* const own = sums + neighbour.Class * around.SizeOfClass;
     for (int n = 0; n < shells; n += NumberOfLanes)
     {
-      Lanes sum, other;
-      Load(table + row * shells + n, sum);
-      Load(b + n, other);
-      sum += factor * other;
-      Store(sum, table + row * shells + n);
+      if (!around.IsCut(neighbour, n))
+      {
+        continue;
+      }
+      Lanes block;
+      Load(around.Distances + n, block);
+      const Caps caps(block, around.Radius, neighbour, degree);
+      double* target = own + n;
+      for (int l = 0; l <= degree; ++l)
+      {
+        for (int k = 2 * HarmonicPlace(l, 0); k < 2 * HarmonicPlace(l + 1, 0); ++k)
+        {
+          Lanes sum;
+          Load(target, sum);
+          sum += (caps.Of[l] * harmonics.Y[k][j] + Rounder) - Rounder;
+          Store(sum, target);
+          target += shells;
+        }
+      }
     }
   }
 }
 
-// Adds to a row the rows of a table, each times a number
+// Of every neighbour along its direction, and along x, y and z
 RUC_VECTOR_CLONES
-void AddRows(const double* numbers, const double* table, int rows, int shells, double* sums)
+void FindPulls(const Group& group, const Surround& around, const double* lambda, double* pulls)
 {
-  for (int n = 0; n < shells; n += NumberOfLanes)
+  const int shells = around.Shells, degree = around.Degree;
+  const DirectionHarmonics harmonics(group, degree, true);
+  for (int j = 0; j < group.Count; ++j)
   {
-    Lanes sum;
-    Load(sums + n, sum);
-    for (int row = 0; row < rows; ++row)
+    const ShellMultipoles::Neighbour& neighbour = group.First[j];
+    const double* const own = lambda + neighbour.Class * around.SizeOfClass;
+    Lanes away = {}, across[3] = {};
+    for (int n = 0; n < shells; n += NumberOfLanes)
     {
-      Lanes other;
-      Load(table + row * shells + n, other);
-      sum += numbers[row] * other;
+      if (!around.IsCut(neighbour, n))
+      {
+        continue;
+      }
+      Lanes block;
+      Load(around.Distances + n, block);
+      const Caps caps(block, around.Radius, neighbour, degree);
+      const double* source = own + n;
+      for (int l = 0; l <= degree; ++l)
+      {
+        Lanes value = {}, turned[3] = {};
+        for (int k = 2 * HarmonicPlace(l, 0); k < 2 * HarmonicPlace(l + 1, 0); ++k)
+        {
+          Lanes factor;
+          Load(source, factor);
+          source += shells;
+          value += factor * harmonics.Y[k][j];
+          turned[0] += factor * harmonics.Along[0][k][j];
+          turned[1] += factor * harmonics.Along[1][k][j];
+          turned[2] += factor * harmonics.Along[2][k][j];
+        }
+        away += value * caps.Legendre[l] * caps.Slope;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          across[axis] += turned[axis] * caps.Of[l];
+        }
+      }
     }
-    Store(sum, sums + n);
+    pulls[4 * j] = -2.0 * Pi * Sum(away); // dC_l/dx = -2 pi P_l
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      pulls[4 * j + 1 + axis] = Sum(across[axis]);
+    }
+  }
+}
+
+// Some rows at a time stay in registers. Shells come in blocks of lanes, which are whole numbers of
+// them.
+constexpr int RowsAtATime = 4;
+static_assert(NumberOfLanes % RowsAtATime == 0);
+
+// Puts the sums over k of a[k][n1] b[k][n2] into table[n1][n2]
+RUC_VECTOR_CLONES
+void FindTable(const double* a, const double* b, int count, int rows, int shells, double* table)
+{
+  for (int row = 0; row < rows; row += RowsAtATime)
+  {
+    for (int n = 0; n < shells; n += NumberOfLanes)
+    {
+      Lanes sums[RowsAtATime] = {};
+      for (int k = 0; k < count; ++k)
+      {
+        Lanes other;
+        Load(b + k * shells + n, other);
+        for (int r = 0; r < RowsAtATime; ++r)
+        {
+          sums[r] += a[k * shells + row + r] * other;
+        }
+      }
+      for (int r = 0; r < RowsAtATime; ++r)
+      {
+        Store(sums[r], table + (row + r) * shells + n);
+      }
+    }
+  }
+}
+
+RUC_VECTOR_CLONES
+void Scale(const double* from, double factor, int count, double* to)
+{
+  for (int n = 0; n < count; ++n)
+  {
+    to[n] = factor * from[n];
+  }
+}
+
+// Adds to sums[k][n1] the sums over n2 of numbers[k][n2] table[n2][n1]; count is even
+RUC_VECTOR_CLONES
+void AddRows(
+  const double* numbers, const double* table, int count, int rows, int shells, double* sums)
+{
+  for (int k = 0; k < count; k += 2)
+  {
+    const double *first = numbers + k * shells, *second = first + shells;
+    for (int n = 0; n < shells; n += NumberOfLanes)
+    {
+      Lanes sum, next;
+      Load(sums + k * shells + n, sum);
+      Load(sums + (k + 1) * shells + n, next);
+      for (int row = 0; row < rows; ++row)
+      {
+        Lanes other;
+        Load(table + row * shells + n, other);
+        sum += first[row] * other;
+        next += second[row] * other;
+      }
+      Store(sum, sums + k * shells + n);
+      Store(next, sums + (k + 1) * shells + n);
+    }
   }
 }
 
@@ -261,34 +341,34 @@ std::size_t ShellMultipoles::Size() const
 void ShellMultipoles::Sum(double radius, const std::vector<Neighbour>& around, double* sums) const
 {
   std::fill(sums, sums + this->Size(), 0.0);
-  for (const Neighbour& neighbour : around)
+  const Surround shells = { radius, this->Padded.data(), this->Shells, this->Settings.Degree,
+    this->PlaceOfHarmonic(1, 0) };
+  for (std::size_t n = 0; n < around.size(); n += NumberOfLanes)
   {
-    if (neighbour.Distance - neighbour.Radius < radius + this->Padded.back())
-    {
-      const DirectionHarmonics harmonics(neighbour.Direction, this->Settings.Degree, false);
-      AddCaps(neighbour, radius, this->Padded.data(), this->Shells, this->Settings.Degree,
-        harmonics.Y, sums + this->PlaceOfHarmonic(neighbour.Class, 0));
-    }
+    const int count = static_cast<int>(std::min<std::size_t>(NumberOfLanes, around.size() - n));
+    AddCaps({ &around[n], count }, shells, sums);
   }
 }
 
 void ShellMultipoles::FindForces(
   double radius, const std::vector<Neighbour>& around, const double* lambda, double* forces) const
 {
-  for (const Neighbour& neighbour : around)
+  const Surround shells = { radius, this->Padded.data(), this->Shells, this->Settings.Degree,
+    this->PlaceOfHarmonic(1, 0) };
+  for (std::size_t n = 0; n < around.size(); n += NumberOfLanes)
   {
-    double pull[4] = { 0.0, 0.0, 0.0, 0.0 };
-    if (neighbour.Distance - neighbour.Radius < radius + this->Padded.back())
+    double pulls[4 * NumberOfLanes];
+    const int count = static_cast<int>(std::min<std::size_t>(NumberOfLanes, around.size() - n));
+    FindPulls({ &around[n], count }, shells, lambda, pulls);
+    for (int j = 0; j < count; ++j)
     {
-      const DirectionHarmonics harmonics(neighbour.Direction, this->Settings.Degree, true);
-      FindPull(neighbour, radius, this->Padded.data(), this->Shells, this->Settings.Degree,
-        harmonics, lambda + this->PlaceOfHarmonic(neighbour.Class, 0), pull);
-    }
-    const Vector3 across = { pull[1], pull[2], pull[3] }, &u = neighbour.Direction;
-    const double along = Dot(across, u);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      *forces++ = pull[0] * u[axis] + (across[axis] - along * u[axis]) / neighbour.Distance;
+      const double* const pull = &pulls[4 * j];
+      const Vector3 across = { pull[1], pull[2], pull[3] }, &u = around[n + j].Direction;
+      const double along = Dot(across, u);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        *forces++ = pull[0] * u[axis] + (across[axis] - along * u[axis]) / around[n + j].Distance;
+      }
     }
   }
 }
@@ -296,25 +376,19 @@ void ShellMultipoles::FindForces(
 void ShellMultipoles::FindProducts(const double* sums, double* products) const
 {
   const int shells = static_cast<int>(this->Settings.Distances.size());
-  std::vector<double> table(std::size_t(shells) * this->Shells);
+  AlignedNumbers table(std::size_t(this->Shells) * this->Shells);
   for (int s = 0; s < this->Settings.Classes; ++s)
   {
     for (int q = s; q < this->Settings.Classes; ++q)
     {
       for (int l = 0; l <= this->Settings.Degree; ++l)
       {
-        std::fill(table.begin(), table.end(), 0.0);
-        for (int k = 2 * HarmonicPlace(l, 0); k < 2 * HarmonicPlace(l + 1, 0); ++k)
+        const int first = 2 * HarmonicPlace(l, 0), count = 2 * (l + 1);
+        FindTable(sums + this->PlaceOfHarmonic(s, first), sums + this->PlaceOfHarmonic(q, first),
+          count, shells, this->Shells, table.data());
+        for (int n1 = 0; n1 < shells; ++n1, products += shells)
         {
-          AddProducts(sums + this->PlaceOfHarmonic(s, k), sums + this->PlaceOfHarmonic(q, k),
-            shells, this->Shells, table.data());
-        }
-        for (int n1 = 0; n1 < shells; ++n1)
-        {
-          for (int n2 = 0; n2 < shells; ++n2)
-          {
-            *products++ = FactorOf(l) * table[std::size_t(n1) * this->Shells + n2];
-          }
+          Scale(&table[std::size_t(n1) * this->Shells], FactorOf(l), shells, products);
         }
       }
     }
@@ -328,11 +402,11 @@ std::size_t ShellMultipoles::PlaceOfFactor(int s, int q, int l, int n2) const
     this->Shells;
 }
 
-std::vector<double> ShellMultipoles::MakeFactors(const double* mu) const
+AlignedNumbers ShellMultipoles::MakeFactors(const double* mu) const
 {
   const int classes = this->Settings.Classes, degree = this->Settings.Degree;
   const int shells = static_cast<int>(this->Settings.Distances.size());
-  std::vector<double> factors(this->PlaceOfFactor(classes, 0, 0, 0), 0.0);
+  AlignedNumbers factors(this->PlaceOfFactor(classes, 0, 0, 0), 0.0);
   for (int s = 0; s < classes; ++s)
   {
     for (int q = s; q < classes; ++q)
@@ -362,13 +436,11 @@ void ShellMultipoles::FindGradient(const double* sums, const double* factors, do
   {
     for (int l = 0; l <= this->Settings.Degree; ++l)
     {
-      for (int k = 2 * HarmonicPlace(l, 0); k < 2 * HarmonicPlace(l + 1, 0); ++k)
+      const int first = 2 * HarmonicPlace(l, 0), count = 2 * (l + 1);
+      for (int q = 0; q < this->Settings.Classes; ++q)
       {
-        for (int q = 0; q < this->Settings.Classes; ++q)
-        {
-          AddRows(sums + this->PlaceOfHarmonic(q, k), factors + this->PlaceOfFactor(s, q, l, 0),
-            shells, this->Shells, lambda + this->PlaceOfHarmonic(s, k));
-        }
+        AddRows(sums + this->PlaceOfHarmonic(q, first), factors + this->PlaceOfFactor(s, q, l, 0),
+          count, shells, this->Shells, lambda + this->PlaceOfHarmonic(s, first));
       }
     }
   }

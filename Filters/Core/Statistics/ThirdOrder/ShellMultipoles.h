@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ruc/Base/AlignedNumbers.h"
 #include "ruc/Base/Vector3.h"
 #include "ruc/Statistics/ThirdOrder/SolidHarmonics.h"
 
@@ -77,7 +78,7 @@ public:
     int Class; // from 0
   };
 
-  /** The number of multipoles of a centre. */
+  /** The number of multipoles of a centre. They are best kept in AlignedNumbers. */
   std::size_t Size() const;
   /** Puts the multipoles around a sphere of this radius into `sums`. */
   void Sum(double radius, const std::vector<Neighbour>& around, double* sums) const;
@@ -96,7 +97,7 @@ public:
    * MakeFactors makes of mu, which has a number for every T.
    */
   void FindGradient(const double* sums, const double* factors, double* lambda) const;
-  std::vector<double> MakeFactors(const double* mu) const;
+  AlignedNumbers MakeFactors(const double* mu) const;
 
 private:
   // The place of the first shell of a harmonic of a class; shells come in blocks of lanes
