@@ -49,6 +49,7 @@ void CheckSettings(const NeighbourhoodSettings& settings)
 std::vector<double> DiametersOfModes(const PackShare& share)
 {
   std::vector<double> diameters;
+  diameters.reserve(share.NumberOfModes());
   for (int mode = 0; mode < share.NumberOfModes(); ++mode)
   {
     diameters.push_back(
