@@ -25,9 +25,10 @@ three_point = pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5
 of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=20)
 comparison = pv.CompareProbabilities(Input=two_point, Cell=of_cell)
 replicas = pv.PeriodicReplicas(Input=cell)
+mesh = pv.PeriodicMesh(Input=cell)
 particles = pv.ParticlesFromImage(Input=pv.LabelImage(Input=modes, Dimensions=[40, 40, 40], VolumeFractions=1), ImageArray="VolumeFraction",
                                   Residual=1)
-filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, cell, three_point, of_cell, comparison, replicas, particles]
+filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, cell, three_point, of_cell, comparison, replicas, mesh, particles]
 
 runs = {}
 
@@ -60,7 +61,7 @@ render = pv.CreateView("RenderView", ViewSize=[300, 200])
 displays = [pv.Show(source, render) for source in (reader, modes, cell, replicas)]
 pv.Show(labels, render)
 pv.Render(render)
-for source in (one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, three_point, of_cell, comparison, particles):
+for source in (one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, three_point, of_cell, comparison, mesh, particles):
     source.UpdatePipeline()
 check("the first outputs")
 

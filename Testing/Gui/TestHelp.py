@@ -32,6 +32,7 @@ FORMULAS = {
     'filters.LabelImage': 'W(a, b) = (R³ atan2(R z, a b) + a b z) / 3',
     'filters.ParticleModes': '(Σ d³ / N)^(1/3)',
     'filters.ParticlesFromImage': 'B(r; R) = Φ(t) − (σ / r) φ(t) with t = (R − r) / σ',
+    'filters.PeriodicMesh': 'ρ = √(2 a b g / (a + b)) · 1.8^k',
     'filters.PeriodicReplicas': 'x + (i L_x, j L_y, k L_z)',
     'filters.PointsToSpherePack': 'centre = Scale × point; Radius = Scale × a for an array a of radii',
     'sources.SpherePackSource': '(Σ 4 π r³ / (3 φ))^(1/3)',
@@ -40,7 +41,8 @@ FORMULAS = {
     'writers.SpherePackWriter': 'diameter = 2 × Radius',
 }
 BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.ImageStatistics', 'filters.RadialDistribution', 'filters.ThirdOrderParameters', 'filters.VoidDistances')
-SOURCES = {'filters.NeighbourStatistics': 'Mickel, Kapfer, Schröder-Turk, Mecke, J. Chem. Phys. 138, 044501 (2013)',
+SOURCES = {'filters.PeriodicMesh': 'Bowyer, The Computer Journal 24, 162 (1981)',
+           'filters.NeighbourStatistics': 'Mickel, Kapfer, Schröder-Turk, Mecke, J. Chem. Phys. 138, 044501 (2013)',
            'sources.SpherePackSource': 'Lubachevsky, Stillinger, J. Stat. Phys. 60, 561 (1990)'}
 PROPERTIES = {'filters.DirectionalProbability': ['Number Of Directions', 'Number Of Lines', 'Seed'],
               'filters.ProbabilityMap': ['Phase Pairs', 'Resolution', 'Spacing'],

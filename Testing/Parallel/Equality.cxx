@@ -4,8 +4,11 @@
 
 #include "RankCommunicator.h"
 
+#include "vtkCellData.h"
 #include "vtkCommunicator.h"
+#include "vtkIdList.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPointSet.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -85,13 +88,20 @@ std::vector<double> Numbers(vtkDataObject* data)
       numbers.insert(numbers.end(), more.begin(), more.end());
     }
   }
-  else if (auto* points = vtkPolyData::SafeDownCast(data))
+  else if (auto* points = vtkPointSet::SafeDownCast(data))
   {
     for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
     {
       numbers.insert(numbers.end(), points->GetPoint(i), points->GetPoint(i) + 3);
     }
     Append(numbers, points->GetPointData());
+    vtkNew<vtkIdList> corners;
+    for (vtkIdType cell = 0; cell < points->GetNumberOfCells(); ++cell)
+    {
+      points->GetCellPoints(cell, corners);
+      numbers.insert(numbers.end(), corners->begin(), corners->end());
+    }
+    Append(numbers, points->GetCellData());
   }
   else
   {

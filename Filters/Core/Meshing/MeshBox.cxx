@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace ruc
@@ -20,6 +21,14 @@ constexpr int Shifts = 1500;
 constexpr double WeightOfEdges =
   0.7; // a sphere near an edge is harder to mesh than one near a plane
 constexpr double FinestShareOfEdge = 1e-3;
+
+constexpr double NarrowGap = 0.02;
+
+double MeanRadius(const SpherePack& pack)
+{
+  return std::accumulate(pack.Radius.begin(), pack.Radius.end(), 0.0) /
+    static_cast<double>(pack.Radius.size());
+}
 
 double Wrapped(double x, double edge)
 {
@@ -99,51 +108,48 @@ ShiftedCell ShiftCell(const SpherePack& pack, const Window& window, const MeshSe
   return best;
 }
 
-double CheckGaps(
-  const SpherePack& pack, const Window& window, double reach, const MeshSettings& settings)
+CellGaps CheckGaps(const SpherePack& pack, const Window& window, const MeshSettings& settings)
 {
-  double least = reach;
+  CellGaps gaps;
+  gaps.Least = MeanRadius(pack);
+  const double narrow = NarrowGap * gaps.Least;
   std::size_t first = 0, second = 0;
-  const CellList cells(pack, window, SizeClasses(pack.Radius, reach, 1.0));
+  const CellList cells(pack, window, SizeClasses(pack.Radius, gaps.Least, 1.0));
   cells.ForEachPair(
     [&](std::size_t i, std::size_t j, double, double, double, double d2)
     {
       const double gap = std::sqrt(d2) - pack.Radius[i] - pack.Radius[j];
-      if (gap < least)
+      gaps.Narrow += gap < narrow;
+      if (gap < gaps.Least)
       {
-        least = gap;
+        gaps.Least = gap;
         first = std::min(i, j);
         second = std::max(i, j);
       }
     });
   const auto id = [&](std::size_t i)
   { return pack.Id.empty() ? static_cast<std::int64_t>(i) : pack.Id[i]; };
-  if (least <= 0.0)
-  {
-    throw std::invalid_argument(Text(
-      "Periodic Mesh requires spheres that do not touch, got spheres ", id(first), " and ",
-      id(second), ", which overlap by ", -least, "; set MinimumGap of Unit Cell Reconstruction."));
-  }
-  if (least < settings.LeastGap)
+  if (gaps.Least <= 0.0)
   {
     throw std::invalid_argument(
-      Text("LeastGap requires gaps >= ", settings.LeastGap, ", got ", least, " between spheres ",
-        id(first), " and ", id(second), "; set MinimumGap of Unit Cell Reconstruction."));
+      Text("Periodic Mesh requires spheres that do not touch, got spheres ", id(first), " and ",
+        id(second), ", which overlap by ", -gaps.Least,
+        "; set MinimumGap of Unit Cell Reconstruction."));
   }
-  return least;
+  if (gaps.Least < settings.LeastGap)
+  {
+    throw std::invalid_argument(Text("LeastGap requires gaps >= ", settings.LeastGap, ", got ",
+      gaps.Least, " between spheres ", id(first), " and ", id(second),
+      "; set MinimumGap of Unit Cell Reconstruction."));
+  }
+  return gaps;
 }
 
 double FindElementSize(const SpherePack& pack, const Window& window, const MeshSettings& settings)
 {
-  double sum = 0.0;
-  for (const double radius : pack.Radius)
-  {
-    sum += radius;
-  }
   const double shortest = window.ShortestEdge();
-  const double size = settings.ElementSize == 0.0
-    ? std::min(0.5 * sum / static_cast<double>(pack.Radius.size()), 0.5 * shortest)
-    : settings.ElementSize;
+  const double size = settings.ElementSize == 0.0 ? std::min(0.5 * MeanRadius(pack), 0.5 * shortest)
+                                                  : settings.ElementSize;
   Require(std::isfinite(size) && size >= FinestShareOfEdge * shortest && size <= 0.5 * shortest,
     "ElementSize",
     Text(

@@ -74,13 +74,19 @@ struct ShiftedCell
  */
 ShiftedCell ShiftCell(const SpherePack& pack, const Window& window, const MeshSettings& settings);
 
+/** The gaps between the surfaces of spheres, of which a sphere and its own image may be two. */
+struct CellGaps
+{
+  double Least = 0.0;
+  /** How many are below a fiftieth of the mean radius, where angles of tetrahedra get worse. */
+  std::int64_t Narrow = 0;
+};
+
 /**
- * Returns the least gap between the surfaces of two spheres, or of a sphere and its own image, that
- * are closer than `reach`, or `reach` where none are. Throws std::invalid_argument that names the
- * spheres where two overlap or touch, or where the least gap is below LeastGap.
+ * Returns the gaps of a pack; the least one is at most a mean radius. Throws std::invalid_argument
+ * that names the spheres where two overlap or touch, or where the least gap is below LeastGap.
  */
-double CheckGaps(
-  const SpherePack& pack, const Window& window, double reach, const MeshSettings& settings);
+CellGaps CheckGaps(const SpherePack& pack, const Window& window, const MeshSettings& settings);
 
 /**
  * Returns the element size of the settings, or that for which 0 stands. Throws

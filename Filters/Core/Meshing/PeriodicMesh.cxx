@@ -132,7 +132,7 @@ PeriodicMesh MakePeriodicMesh(
       ".");
   }
   const double size = FindElementSize(pack, window, settings);
-  const double gap = CheckGaps(pack, window, size, settings);
+  const CellGaps gaps = CheckGaps(pack, window, settings);
   const ShiftedCell shifted = ShiftCell(pack, window, settings);
   std::string fault;
   for (int attempt = 0; attempt < Attempts; ++attempt)
@@ -140,15 +140,16 @@ PeriodicMesh MakePeriodicMesh(
     PeriodicMesh mesh = MeshShiftedCell(shifted.Cell, size, attempt, settings);
     mesh.Shift = shifted.Shift;
     mesh.Margin = shifted.Margin;
-    mesh.LeastGap = gap;
+    mesh.Gaps = gaps;
     fault = FindFault(mesh);
     if (fault.empty())
     {
       return mesh;
     }
   }
-  throw std::runtime_error("no mesh in " + std::to_string(Attempts) + " attempts (" + fault +
-    "); try another Seed or ElementSize.");
+  throw std::invalid_argument(
+    Text("Periodic Mesh requires another Seed or ElementSize, got no mesh in ", Attempts,
+      " attempts: ", fault, "."));
 }
 
 Estimate EstimatePeriodicMesh(const PackFigures& pack, const MeshSettings& settings)

@@ -52,7 +52,7 @@ struct PeriodicMesh
   Vector3 Shift{};
   double Margin = 0.0;
   double ElementSize = 0.0;
-  double LeastGap = 0.0;
+  CellGaps Gaps;
 
   double VolumeOf(std::size_t cell) const;
 };
@@ -66,8 +66,8 @@ struct PeriodicMesh
  * opposite faces because the points are.
  *
  * Throws std::invalid_argument as ShiftCell, CheckGaps and FindElementSize do, and unless the box
- * is periodic along its three axes; std::runtime_error where several attempts with different random
- * numbers all have a fault (FindFault).
+ * is periodic along its three axes; also where several attempts with different random numbers
+ * all have a fault (FindFault).
  */
 PeriodicMesh MakePeriodicMesh(
   const SpherePack& pack, const Window& window, const MeshSettings& settings);

@@ -181,8 +181,10 @@ TEST(PeriodicMesh, CubicArraysAtAnyGap)
       ExpectPeriodic(mesh);
       ExpectOnSpheres(mesh);
       // The gap of two surfaces is a difference of numbers of size 1
-      EXPECT_NEAR(
-        mesh.LeastGap, std::min(0.12, 2.0 * gap * cell.Pack.Radius[0] / (1.0 - gap)), 1e-15);
+      EXPECT_NEAR(mesh.Gaps.Least, 2.0 * gap * cell.Pack.Radius[0] / (1.0 - gap), 1e-15);
+      // Of each sphere with its nearest ones: gaps of 2 gap / (1 - gap) radii
+      const int pairs = kind == 1 ? 3 : kind == 2 ? 8 : 24;
+      EXPECT_EQ(mesh.Gaps.Narrow, gap < 0.01 / 1.01 ? pairs : 0);
     }
   }
 }
