@@ -11,6 +11,7 @@
 #include "TwoPointTables.h"
 #include "ruc/Base/Require.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
+#include "ruc/Statistics/PairSums/PairSumErrors.h"
 #include "ruc/Statistics/Results/OnePointProbability.h"
 #include "ruc/Statistics/Sampling/ChordSampling.h"
 #include "ruc/Statistics/Sampling/TemplateSampling.h"
@@ -46,6 +47,8 @@ void vtkRUCTwoPointProbability::ValidateProperties()
     this->SaturationTolerance);
   ruc::Require(!this->HasMask() || this->Method != EXACT_PAIR_SUM, "Mask",
     "Method Chord Sampling or Template Sampling", "Exact Pair Sum");
+  ruc::Require(this->Blocks == 0 || (this->Blocks >= 8 && this->Blocks <= 1000), "Blocks",
+    "0 or a number from 8 to 1000", this->Blocks);
 }
 
 void vtkRUCTwoPointProbability::Execute(
@@ -61,7 +64,15 @@ void vtkRUCTwoPointProbability::Execute(
     exact ? nullptr : this->MakeRegion(pack, ranks);
   const ruc::LagGrid lags =
     MeasuredLags::Find(this->MaximumLag, this->NumberOfLags, share, region.get(), this->HasMask());
-  const ruc::SampledTwoPoint measured = this->Measure(share, region.get(), lags, ranks, report);
+  ruc::SampledTwoPoint measured = this->Measure(share, region.get(), lags, ranks, report);
+  if (exact && this->Blocks > 0)
+  {
+    report.Tell(0.99, "errors by blocks of the pack");
+    const ruc::TwoPointErrors errors =
+      ruc::FindPairSumErrors(share, measured.Mean, this->Blocks, ranks);
+    this->AddErrors(measured.Mean, errors, outputs, ranks);
+    measured.Errors = errors.Values;
+  }
   if (ranks.Rank() == 0)
   {
     this->FillTables(measured, share, outputs);
@@ -102,6 +113,33 @@ ruc::SampledTwoPoint vtkRUCTwoPointProbability::Measure(const ruc::PackShare& sh
     default: // the exact method, which has no errors
       return { ruc::SumPairs(share, lags, ranks, report.ForPairs(ranks)), {}, {}, {}, 0, 0.0,
         false };
+  }
+}
+
+void vtkRUCTwoPointProbability::AddErrors(const ruc::TwoPointProbability& probability,
+  const ruc::TwoPointErrors& errors, vtkInformationVector* outputs, const RankCommunicator& ranks)
+{
+  const std::string walls = ruc::DescribeWalls(probability, errors);
+  const std::string failures = ruc::DescribeFailures(errors.Layers);
+  const std::string medium =
+    failures.empty() ? "The pack is one medium within its scatter." : failures;
+  OutputSummary::ForEachOutput(outputs,
+    [&](vtkDataObject* data)
+    {
+      PackData::AddField(data, "NumberOfBlocks", std::vector<long long>{ errors.Blocks });
+      PackData::AddField(
+        data, "ObjectiveFloor", std::vector<double>{ ruc::ObjectiveFloor(probability, errors) });
+      PackData::AddField(data, "c_error", errors.Fractions);
+      PackData::AddField(data, "OneMedium", medium);
+    });
+  PackData::AddField(vtkTable::GetData(outputs, CHECKS), "SpecificSurface_error",
+    std::vector<double>{ errors.Surface });
+  for (const std::string& text : { failures, walls })
+  {
+    if (ranks.Rank() == 0 && !text.empty())
+    {
+      vtkWarningMacro(<< text);
+    }
   }
 }
 
@@ -158,6 +196,10 @@ std::optional<ruc::Estimate> vtkRUCTwoPointProbability::MakeEstimate()
   if (this->Method == EXACT_PAIR_SUM)
   {
     estimate += ruc::EstimatePairSum(*pack, lags);
+    if (this->Blocks > 0)
+    {
+      estimate += ruc::EstimatePairSumErrors(*pack, lags, this->Blocks);
+    }
     return estimate;
   }
   const bool throws = this->Method == TEMPLATE_SAMPLING;
@@ -179,4 +221,5 @@ void vtkRUCTwoPointProbability::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumLag: " << this->MaximumLag << "\n";
   os << indent << "NumberOfLags: " << this->NumberOfLags << "\n";
   os << indent << "SaturationTolerance: " << this->SaturationTolerance << "\n";
+  os << indent << "Blocks: " << this->Blocks << "\n";
 }

@@ -18,8 +18,12 @@
  *
  * The outputs are tables, whole on rank 0. Output 0 has a row for each lag r_k = k MaximumLag /
  * NumberOfLags, k = 0 to NumberOfLags, and the columns `r` and `S_1_1`, `S_1_2`, …, `S_m_m`, one
- * for each unordered pair of phases; then, for a sampled method, their standard errors
- * `S_1_1_error`, …, which are absolute probabilities as well.
+ * for each unordered pair of phases; then, for a sampled method and for the exact one with Blocks,
+ * their standard errors `S_1_1_error`, …, which are absolute probabilities as well. Those of a
+ * sampled method are of the sampling, those of the exact one of the pack as a sample of its medium
+ * (Core/Statistics/PairSums/PairSumErrors.h). With the latter all outputs have the field data
+ * `NumberOfBlocks`, `ObjectiveFloor`, `c_error` (of all phases, the matrix last) and `OneMedium`, a
+ * sentence that says whether the pack is one medium along its axes.
  *
  * Output 1 has the checks: `Pair`; `Limit` (c_r c_s); `ErrorAtZero` (7; not for a sampled method,
  * whose c_r is S_rr(0)); `ErrorAtInfinity` (8, at the last lag); `Asymmetry` (9, with the mean of
@@ -46,6 +50,7 @@ namespace ruc
 struct LagGrid;
 struct PackShare;
 struct SampledTwoPoint;
+struct TwoPointErrors;
 struct TwoPointProbability;
 }
 
@@ -101,6 +106,16 @@ public:
   vtkGetMacro(SaturationTolerance, double);
   ///@}
 
+  ///@{
+  /**
+   * About the number of blocks of the pack whose scatter tells the standard errors of Exact Pair
+   * Sum: 0 for none, or 8 to 1000. A window without room for eight blocks with edges of two mean
+   * diameters is refused. Default: 0.
+   */
+  vtkSetMacro(Blocks, int);
+  vtkGetMacro(Blocks, int);
+  ///@}
+
 protected:
   vtkRUCTwoPointProbability();
   ~vtkRUCTwoPointProbability() override = default;
@@ -123,6 +138,9 @@ private:
   // Adds field data that tell how the functions were measured, and where they saturate
   void AddSummary(const ruc::TwoPointProbability& probability, const ruc::PackShare& share,
     vtkDataObject* data) const;
+  // Adds what the blocks tell, and warns where the pack is not one medium
+  void AddErrors(const ruc::TwoPointProbability& probability, const ruc::TwoPointErrors& errors,
+    vtkInformationVector* outputs, const RankCommunicator& ranks);
   // Adds field data of numbers that must agree
   void AddConsistency(const ruc::TwoPointProbability& probability, const ruc::PackShare& share,
     vtkTable* table) const;
@@ -131,6 +149,7 @@ private:
   double MaximumLag = 0.0;
   int NumberOfLags = 277;
   double SaturationTolerance = 0.0005;
+  int Blocks = 0;
 };
 
 #endif

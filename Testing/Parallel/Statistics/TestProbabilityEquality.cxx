@@ -125,6 +125,16 @@ TEST_P(ProbabilityEquality, TwoPointOfPairs)
   ExpectSame<TwoPoint>([](auto* f) { f->SetNumberOfLags(40); });
 }
 
+TEST_P(ProbabilityEquality, TwoPointWithErrors)
+{
+  ExpectSame<TwoPoint>(
+    [](auto* f)
+    {
+      f->SetNumberOfLags(40);
+      f->SetBlocks(27);
+    });
+}
+
 TEST_P(ProbabilityEquality, TwoPointByChords)
 {
   ExpectSame<TwoPoint>(ByLines);

@@ -133,6 +133,37 @@ TEST(MethodRefusals, MaskAndTheExactSum)
     [](TwoPoint* f) { f->SetInputDataObject(1, MakeMask(Edge, Rank(), NumberOfRanks())); }, false);
 }
 
+TEST(BlockRefusals, NumberOfBlocks)
+{
+  for (int blocks : { -1, 1, 7, 1001 })
+  {
+    RefusesSettings<vtkRUCTwoPointProbability>(
+      { "Two-Point Probability", "Blocks requires 0 or a number from 8 to 1000" },
+      [blocks](auto* f) { f->SetBlocks(blocks); });
+  }
+}
+
+TEST(BlockRefusals, NoRoom)
+{
+  Refuses<vtkRUCTwoPointProbability>(
+    { "Two-Point Probability", "Blocks requires a window with room for 8 blocks" },
+    { [](ruc::SpherePack& pack)
+      {
+        ruc::SpherePack few;
+        for (int i = 0; i < 600; ++i)
+        {
+          if (std::max({ pack.X[i], pack.Y[i], pack.Z[i] }) < 3.5)
+          {
+            few.Append(pack, i);
+          }
+        }
+        pack = few;
+        pack.Mode.assign(pack.Size(), 1);
+      },
+      {}, {}, 3.5 },
+    false, [](auto* f) { f->SetBlocks(64); });
+}
+
 TEST(MethodRefusals, LinesOfOnePointProbability)
 {
   RefusesSettings<OnePoint>({ "One-Point Probability", "NumberOfLines requires", "got -4" },
