@@ -14,13 +14,12 @@
 #include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMSourceProxy.h>
-#include <vtkSMTransferFunctionProxy.h>
 #include <vtkSMViewProxy.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <string>
-#include <vector>
 
 vtkStandardNewMacro(vtkSMRUCSpheresRepresentationProxy);
 
@@ -64,32 +63,23 @@ int NumberOfLabels(vtkSMProxy* map)
   return labels;
 }
 
-// The colour at a place of a map, by linear interpolation between its points
-std::vector<double> Interpolate(const std::vector<double>& points, double at)
+// From the smallest mode to the largest; they are told apart with any colour vision
+constexpr std::array<std::array<int, 3>, 9> Colours = { { { 0x33, 0x22, 0x88 },
+  { 0x00, 0x77, 0xbb }, { 0x33, 0xbb, 0xee }, { 0x44, 0xaa, 0x99 }, { 0x11, 0x77, 0x33 },
+  { 0x99, 0x99, 0x33 }, { 0xdd, 0xaa, 0x33 }, { 0xee, 0x77, 0x33 }, { 0xbb, 0x33, 0x44 } } };
+constexpr double ColourOfOne = 6.0; // the place of the colour where there is one mode
+
+// A channel of the colour of a mode, between those of the list
+double ColourOf(int mode, int modes, int channel)
 {
-  std::size_t upper = 4;
-  while (upper + 4 < points.size() && points[upper] < at)
-  {
-    upper += 4;
-  }
-  const double* ends[2] = { &points[upper - 4], &points[upper] };
-  const double weight = (at - ends[0][0]) / (ends[1][0] - ends[0][0]);
-  std::vector<double> colour;
-  for (int channel = 1; channel <= 3; ++channel)
-  {
-    colour.push_back((1.0 - weight) * ends[0][channel] + weight * ends[1][channel]);
-  }
-  return colour;
+  const double place = modes > 1 ? (Colours.size() - 1.0) * (mode - 1) / (modes - 1) : ColourOfOne;
+  const std::size_t lower = std::min(static_cast<std::size_t>(place), Colours.size() - 2);
+  const double share = place - static_cast<double>(lower);
+  return ((1.0 - share) * Colours[lower][channel] + share * Colours[lower + 1][channel]) / 255.0;
 }
 
 void SetLabels(vtkSMProxy* map, int modes)
 {
-  vtkSMTransferFunctionProxy::ApplyPreset(map, "Turbo", false);
-  const std::vector<double> points = vtkSMPropertyHelper(map, "RGBPoints").GetDoubleArray();
-  if (points.size() < 8) // fewer than two points, of a value and three channels each
-  {
-    return;
-  }
   vtkSMPropertyHelper annotations(map, "Annotations");
   vtkSMPropertyHelper colours(map, "IndexedColors");
   annotations.SetNumberOfElements(2 * modes);
@@ -99,13 +89,9 @@ void SetLabels(vtkSMProxy* map, int modes)
     const std::string label = std::to_string(mode);
     annotations.Set(2 * mode - 2, label.c_str());
     annotations.Set(2 * mode - 1, label.c_str());
-    const double first = points.front();
-    const double last = points[points.size() - 4];
-    const std::vector<double> colour =
-      Interpolate(points, first + (last - first) * (mode - 0.5) / modes);
     for (int channel = 0; channel < 3; ++channel)
     {
-      colours.Set(3 * (mode - 1) + channel, colour[channel]);
+      colours.Set(3 * (mode - 1) + channel, ColourOf(mode, modes, channel));
     }
   }
   vtkSMPropertyHelper(map, "IndexedLookup").Set(1);

@@ -43,7 +43,8 @@ surfaces.Visibility = 0
 outline = picture("outline")
 spheres.Visibility = 1
 without = picture("without")
-assert opened == cut
+# The box is drawn twice, by the outline too, and differs in some pixels; a sphere has hundreds
+assert sum(map(operator.ne, opened, cut)) < 0.01 * sum(map(operator.ne, whole, cut))
 spheres.ShowCutSpheres = 1
 assert picture("alone") == without
 # The facets of the surfaces have the volume of the spheres, and look out of them here and there
