@@ -23,23 +23,26 @@ RunProgress CellMessages::DescribeProgress(
   return progress;
 }
 
-std::vector<std::string> CellMessages::FindNeighbourWarnings(const ruc::NeighbourTarget& neighbours)
+std::string CellMessages::FindNeighbourWarning(const ruc::NeighbourTarget& neighbours)
 {
-  std::vector<std::string> warnings;
+  std::string missing;
   const auto check = [&](double weight, const ruc::HingeSums& sums, const char* what, double margin)
   {
     if (weight > 0.0 && sums.Empty())
     {
-      warnings.push_back(Text(what, " do not count, as the pack tells none: this requires ",
-        ruc::LeastCentresOfSums, " spheres that are ", margin,
-        " or more largest diameters away from the faces, and that differ from place to place."));
+      missing += Text(missing.empty() ? "" : ", ", what, " (", margin, ")");
     }
   };
   check(neighbours.ContactWeight, neighbours.Pack.Gaps, "gaps of neighbours", 0.0);
   check(neighbours.ContactWeight, neighbours.Pack.Nearest, "nearest gaps",
     1.0 + ruc::LargestNeighbourGap);
   check(neighbours.PoreWeight, neighbours.Pack.Pores, "pores", 1.0);
-  return warnings;
+  return missing.empty() ? missing
+                         : Text("These do not count, as the pack tells none: ", missing,
+                             ". They require ", ruc::LeastCentresOfSums,
+                             " spheres as many largest diameters away from the faces as stands "
+                             "behind each, which differ "
+                             "from place to place.");
 }
 
 std::vector<std::string> CellMessages::FindWarnings(const std::vector<CellSearch::FoundCell>& cells,

@@ -16,10 +16,10 @@ RunProgress DescribeProgress(
   int cell, const ruc::SearchState& state, const CellSearch::Settings& settings);
 
 /**
- * Returns the warnings that a user needs where a pack is too small to tell near neighbours or pores
- * that weigh something.
+ * Returns the warning that a user needs where a pack is too small to tell near neighbours or pores
+ * that weigh something; empty where it is not.
  */
-std::vector<std::string> FindNeighbourWarnings(const ruc::NeighbourTarget& neighbours);
+std::string FindNeighbourWarning(const ruc::NeighbourTarget& neighbours);
 
 /** Returns the warnings that a user needs about the cells that were found. */
 std::vector<std::string> FindWarnings(const std::vector<CellSearch::FoundCell>& cells,

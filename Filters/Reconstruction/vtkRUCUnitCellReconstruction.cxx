@@ -296,12 +296,10 @@ CellSearch::Settings vtkRUCUnitCellReconstruction::FindSearch(
     return search;
   }
   neighbours.Pack = ruc::MeasureNeighbourSums(share, ranks);
-  if (ranks.Rank() == 0)
+  const std::string warning = CellMessages::FindNeighbourWarning(neighbours);
+  if (ranks.Rank() == 0 && !warning.empty())
   {
-    for (const std::string& warning : CellMessages::FindNeighbourWarnings(neighbours))
-    {
-      vtkWarningMacro(<< warning);
-    }
+    vtkWarningMacro(<< warning);
   }
   return search;
 }

@@ -28,7 +28,7 @@ struct GradientSearchSettings : SearchSettings
    * empty. */
   NeighbourTarget Neighbours;
   /** By which the pack's third order is measured. */
-  NeighbourhoodSettings ThirdOrder = { {}, 8, 3, 32, "ThirdOrderWeight", "ThirdOrder", 100 };
+  NeighbourhoodSettings ThirdOrder = { {}, 8, 3, 32, "ThirdOrderWeight", "ThirdOrder", 100, true };
 
   template <class Self, class Visit>
   static void VisitSearch(Self& self, Visit&& visit)

@@ -18,21 +18,18 @@ namespace
 // overlap as little as in a search
 constexpr double Most = 1024.0;
 
-// The multipoles of all centres of a rank are kept from the value to the gradient if they are not
-// more
-constexpr std::size_t MostKept = 1 << 25;
-
 // Scatter below this share of the largest is rounding
 constexpr double LeastError = 1e-9;
 }
 
-ThirdOrderTerm::ThirdOrderTerm(
-  const CellContents& contents, const NeighbourhoodMultipoles& pack, Communicator& communicator)
+ThirdOrderTerm::ThirdOrderTerm(const CellContents& contents, const NeighbourhoodMultipoles& pack,
+  Communicator& communicator, std::size_t mostKept)
   : Contents(contents)
   , Pack(pack)
   , Ranks(communicator)
   , Shells(pack.Shells)
   , Centres(pack.Shells.Classes, 0.0)
+  , KeptAtMost(mostKept)
 {
   for (std::size_t type = 0; type < contents.Count.size(); ++type)
   {
@@ -101,7 +98,7 @@ double* ThirdOrderTerm::KeptOf(std::size_t i)
 std::vector<double> ThirdOrderTerm::FindValues(const CellSurroundings& cell, bool keeps)
 {
   const std::size_t needed = (cell.Size() / this->Ranks.Size() + 1) * this->Shells.Size();
-  this->Kept.resize(keeps && needed <= MostKept ? needed : 0);
+  this->Kept.resize(keeps && needed <= this->KeptAtMost ? needed : 0);
   const std::size_t products = this->Pack.Shells.NumberOfProducts();
   const double scale = PairHistogram::FixedPointScale(1, cell.Size(), Most);
   const std::vector<std::int64_t> sums = SumOverCentres(cell, this->Pack.Value.size(), this->Ranks,
@@ -195,7 +192,8 @@ Estimate EstimateThirdOrderTerm(const CellFigures& cell, const NeighbourhoodSett
   const double reach = distances.back() + 2.0 * cell.LargestRadius;
   const double pairs = cell.Spheres * cell.Density * SphereVolume(reach);
   const double products = static_cast<double>(shells.NumberOfProducts());
-  const double kept = std::min(cell.Spheres * ShellMultipoles(shells).Size(), double(MostKept));
+  const double kept =
+    std::min(cell.Spheres * ShellMultipoles(shells).Size(), double(ThirdOrderTerm::MostKept));
   return { pairs * secondsOfPair + cell.Spheres * products * secondsOfProduct,
     8.0 * (4.0 * settings.Classes * products + kept) / BytesOfMegabyte, 0.0 };
 }

@@ -25,9 +25,15 @@ class CellSurroundings;
 class ThirdOrderTerm
 {
 public:
-  /** `pack` and `communicator` are kept as references. */
-  ThirdOrderTerm(
-    const CellContents& contents, const NeighbourhoodMultipoles& pack, Communicator& communicator);
+  /** So many multipoles of a rank, 256 MB, are kept at most from the value to the gradient. */
+  static constexpr std::size_t MostKept = std::size_t(1) << 25;
+
+  /**
+   * `pack` and `communicator` are kept as references. Where the multipoles around all centres of a
+   * rank are more than `mostKept`, they are summed up twice; the result is the same.
+   */
+  ThirdOrderTerm(const CellContents& contents, const NeighbourhoodMultipoles& pack,
+    Communicator& communicator, std::size_t mostKept = MostKept);
 
   /**
    * Returns the misfit. Adds `factor` times its gradient to `gradient`, unless it is null.
@@ -49,7 +55,8 @@ private:
   Communicator& Ranks;
   ShellMultipoles Shells;
   std::vector<double> Centres; // of the cell, of each class
-  AlignedNumbers Kept;         // the multipoles around every centre of this rank
+  std::size_t KeptAtMost;
+  AlignedNumbers Kept; // the multipoles around every centre of this rank
 };
 
 /** What one evaluation with its gradient takes. */

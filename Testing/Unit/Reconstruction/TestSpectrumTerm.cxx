@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Reconstruction/SpectrumTerm.h"
-#include "HardPack.h"
-#include "SearchProblem.h"
 #include "Statistics/ThirdOrder/ThirdOrderPacks.h"
-#include "ThreadRanks.h"
+#include "TermProblem.h"
 #include "ruc/Reconstruction/GradientSearch.h"
 #include "ruc/Reconstruction/SearchCheckpoint.h"
 
@@ -21,20 +19,13 @@ PackSpectrum Measure(const ruc::SpherePack& pack, const ruc::Window& window)
   return ruc::MeasureSpectrum(ruc::SharePack(pack, window), Name, alone);
 }
 
-// Hard spheres after some collisions, and a cell of a part of them
-struct Problem
+struct Problem : TermProblem
 {
   Problem()
-    : Made(80, 200, 0.45)
   {
-    this->Contents = ruc::FindCellContents(ruc::SharePack(Made.Pack, Made.Box), 70);
-    this->Target = ruc::SumPairs(Made.Pack, Made.Box, { 0.15, 20 });
     this->Spectrum.SpectrumWeight = 1.0;
-    this->Spectrum.Spectrum = Measure(Made.Pack, Made.Box);
+    this->Spectrum.Spectrum = Measure(this->Made.Pack, this->Made.Box);
   }
-  HardPack Made;
-  ruc::CellContents Contents;
-  ruc::TwoPointProbability Target{ 1, { 1.0, 1 } };
   NeighbourTarget Spectrum;
 };
 
@@ -42,18 +33,6 @@ const Problem& TheProblem()
 {
   static const Problem problem;
   return problem;
-}
-
-// Random centres, which overlap
-std::vector<double> SomeCentres(bool loose = true)
-{
-  const ruc::CellContents& contents = TheProblem().Contents;
-  ruc::SpherePack pack = contents.MakePack(ruc::RandomCentres(contents, 5, 0).data());
-  if (loose)
-  {
-    ruc::RemoveOverlap(pack, contents.MakeBox(), 5, []() { return true; });
-  }
-  return ruc::CentresOf(pack);
 }
 
 double SmoothEnd(double ratio)
@@ -153,7 +132,7 @@ ruc::UnitCell Search(const ruc::GradientSearchSettings& settings, ruc::Communica
 TEST(SpectrumTerm, ComesFromPairsOfNeighboursByTheirAngle)
 {
   const Problem& problem = TheProblem();
-  const std::vector<double> centres = SomeCentres();
+  const std::vector<double> centres = problem.SomeCentres();
   const PackSpectrum& pack = problem.Spectrum.Spectrum;
   const std::vector<double> values =
     SpectrumByPairs(problem.Contents.MakePack(centres.data()), problem.Contents.Edge, pack.CutOff);
@@ -165,12 +144,8 @@ TEST(SpectrumTerm, ComesFromPairsOfNeighboursByTheirAngle)
 // The pack is itself a periodic cell
 TEST(SpectrumTerm, ThePackFitsItself)
 {
-  ruc::CellContents contents = TheProblem().Contents;
-  contents.Count = { 80, 200 };
-  contents.Radius = { 1.0, 0.6 };
-  contents.Edge = TheProblem().Made.Box.Size[0];
   const PackSpectrum& pack = TheProblem().Spectrum.Spectrum;
-  EXPECT_LT(Evaluate(contents, pack, ruc::CentresOf(TheProblem().Made.Pack)), 1e-10);
+  EXPECT_LT(Evaluate(TheProblem().PackAsCell, pack, ruc::CentresOf(TheProblem().Made.Pack)), 1e-10);
   const double zeta = ruc::MeasureZeta(TheProblem().Made.Pack, TheProblem().Made.Box, pack);
   EXPECT_EQ(zeta, pack.Zeta);
   // Ewald's sum is another function, with the same limit
@@ -199,63 +174,34 @@ TEST(SpectrumTerm, SmallCellsMeetTheirImages)
   }
 }
 
+// Sums are rounded
 TEST(SpectrumTerm, GradientIsThatOfTheValue)
 {
-  const Problem& problem = TheProblem();
-  const PackSpectrum& pack = problem.Spectrum.Spectrum;
-  for (bool loose : { true, false })
-  {
-    std::vector<double> centres = SomeCentres(loose);
-    std::vector<double> gradient(centres.size(), 0.0);
-    const double value = Evaluate(problem.Contents, pack, centres, gradient.data());
-    ASSERT_TRUE(std::isfinite(value));
-    if (!loose)
-    {
-      continue; // spheres within each other: a number, no more
-    }
-    double largest = 0.0, sum[3] = { 0.0, 0.0, 0.0 };
-    for (std::size_t n = 0; n < gradient.size(); ++n)
-    {
-      largest = std::max(largest, std::abs(gradient[n]));
-      sum[n % 3] += gradient[n];
-    }
-    for (double along : sum)
-    {
-      EXPECT_NEAR(along, 0.0, 1e-9 * largest) << "moving all spheres changes nothing";
-    }
-    for (std::size_t n = 0; n < gradient.size(); n += 13)
-    {
-      const double before = centres[n];
-      constexpr double step = 1e-4; // sums are rounded
-      centres[n] = before + step;
-      const double up = Evaluate(problem.Contents, pack, centres);
-      centres[n] = before - step;
-      const double down = Evaluate(problem.Contents, pack, centres);
-      centres[n] = before;
-      EXPECT_NEAR((up - down) / (2.0 * step), gradient[n], 1e-5 * largest);
-    }
-  }
+  ExpectGradientOfValue(TheProblem().SomeCentres(), 13, 1e-4, 1e-5,
+    [](const std::vector<double>& centres, double* gradient)
+    { return Evaluate(TheProblem().Contents, TheProblem().Spectrum.Spectrum, centres, gradient); });
+}
+
+TEST(SpectrumTerm, SpheresWithinEachOtherGiveANumber)
+{
+  const std::vector<double> centres = TheProblem().SomeCentres(false);
+  std::vector<double> gradient(centres.size(), 0.0);
+  EXPECT_TRUE(std::isfinite(
+    Evaluate(TheProblem().Contents, TheProblem().Spectrum.Spectrum, centres, gradient.data())));
+  EXPECT_TRUE(std::all_of(
+    gradient.begin(), gradient.end(), [](double slope) { return std::isfinite(slope); }));
 }
 
 TEST(SpectrumTerm, IsTheSameOnAnyRanksAndThreads)
 {
-  const std::vector<double> centres = SomeCentres();
   const Problem& problem = TheProblem();
-  std::vector<double> expected(centres.size(), 0.0);
-  const double misfit =
-    Evaluate(problem.Contents, problem.Spectrum.Spectrum, centres, expected.data());
-  for (int ranks = 1; ranks <= 4; ++ranks)
-  {
-    oracle::ThreadRanks::Run(ranks,
-      [&](ruc::Communicator& communicator)
-      {
-        omp_set_num_threads(5 - ranks);
-        ruc::SpectrumTerm term(problem.Contents, problem.Spectrum.Spectrum, communicator);
-        std::vector<double> gradient(centres.size(), 0.0);
-        EXPECT_EQ(term.Evaluate(centres.data(), 1.0, gradient.data()), misfit);
-        EXPECT_TRUE(gradient == expected);
-      });
-  }
+  const std::vector<double> centres = problem.SomeCentres();
+  ExpectSameOnAnyRanks(centres.size(),
+    [&](ruc::Communicator& ranks, double* gradient)
+    {
+      return ruc::SpectrumTerm(problem.Contents, problem.Spectrum.Spectrum, ranks)
+        .Evaluate(centres.data(), 1.0, gradient);
+    });
 }
 
 TEST(SpectrumTerm, BringsTheSpectrumNear)

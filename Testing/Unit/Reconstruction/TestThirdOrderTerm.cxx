@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Reconstruction/ThirdOrderTerm.h"
-#include "HardPack.h"
-#include "SearchProblem.h"
-#include "ThreadRanks.h"
+#include "TermProblem.h"
 #include "ruc/Reconstruction/GradientSearch.h"
 #include "ruc/Reconstruction/SearchCheckpoint.h"
 
@@ -26,19 +24,12 @@ NeighbourhoodMultipoles Measure(const ruc::SpherePack& pack, const ruc::Window& 
   return ruc::MeasureNeighbourhoods(ruc::SharePack(pack, window), FewShells(), alone);
 }
 
-// Hard spheres after some collisions, and a cell of a part of them
-struct Problem
+struct Problem : TermProblem
 {
   Problem()
-    : Made(80, 200, 0.45)
+    : Pack(Measure(this->Made.Pack, this->Made.Box))
   {
-    this->Contents = ruc::FindCellContents(ruc::SharePack(Made.Pack, Made.Box), 70);
-    this->Target = ruc::SumPairs(Made.Pack, Made.Box, { 0.15, 20 });
-    this->Pack = Measure(Made.Pack, Made.Box);
   }
-  HardPack Made;
-  ruc::CellContents Contents;
-  ruc::TwoPointProbability Target{ 1, { 1.0, 1 } };
   NeighbourhoodMultipoles Pack;
 };
 
@@ -46,14 +37,6 @@ const Problem& TheProblem()
 {
   static const Problem problem;
   return problem;
-}
-
-std::vector<double> SomeCentres()
-{
-  const ruc::CellContents& contents = TheProblem().Contents;
-  ruc::SpherePack pack = contents.MakePack(ruc::RandomCentres(contents, 5, 0).data());
-  ruc::RemoveOverlap(pack, contents.MakeBox(), 5, []() { return true; });
-  return ruc::CentresOf(pack);
 }
 
 double Evaluate(
@@ -85,7 +68,7 @@ ruc::UnitCell Search(const ruc::GradientSearchSettings& settings)
 TEST(ThirdOrderTerm, IsTheMeanSquareInStandardErrors)
 {
   const Problem& problem = TheProblem();
-  const std::vector<double> centres = SomeCentres();
+  const std::vector<double> centres = problem.SomeCentres();
   const NeighbourhoodMultipoles cell =
     Measure(problem.Contents.MakePack(centres.data()), problem.Contents.MakeBox());
   ASSERT_EQ(cell.Value.size(), problem.Pack.Value.size());
@@ -102,10 +85,7 @@ TEST(ThirdOrderTerm, IsTheMeanSquareInStandardErrors)
 
 TEST(ThirdOrderTerm, ThePackFitsItself)
 {
-  ruc::CellContents contents = TheProblem().Contents;
-  contents.Count = { 80, 200 };
-  contents.Radius = { 1.0, 0.6 };
-  contents.Edge = TheProblem().Made.Box.Size[0];
+  ruc::CellContents contents = TheProblem().PackAsCell;
   EXPECT_LT(Evaluate(contents, ruc::CentresOf(TheProblem().Made.Pack)), 1e-12);
   // As types of its modes, of which there are more
   contents.Count = { 20, 30, 30, 150, 50 };
@@ -129,54 +109,36 @@ TEST(ThirdOrderTerm, CrowdedAndSmallCells)
   EXPECT_TRUE(std::isfinite(Evaluate(few, { 0.1, 0.2, 0.3, 1.3, 1.4, 1.5 }, gradient.data())));
 }
 
+// Where a cap just begins its slope has a kink, or its curvature is large
 TEST(ThirdOrderTerm, GradientIsThatOfTheValue)
 {
-  const ruc::CellContents& contents = TheProblem().Contents;
-  std::vector<double> centres = SomeCentres();
-  std::vector<double> gradient(centres.size(), 0.0);
-  Evaluate(contents, centres, gradient.data());
-  double largest = 0.0, sum[3] = { 0.0, 0.0, 0.0 };
-  for (std::size_t n = 0; n < gradient.size(); ++n)
-  {
-    largest = std::max(largest, std::abs(gradient[n]));
-    sum[n % 3] += gradient[n];
-  }
-  for (double along : sum)
-  {
-    EXPECT_NEAR(along, 0.0, 1e-9 * largest) << "moving all spheres changes nothing";
-  }
-  // Where a cap just begins its slope has a kink, or its curvature is large
-  for (std::size_t n = 0; n < gradient.size(); n += 7)
-  {
-    const double before = centres[n];
-    constexpr double step = 1e-6;
-    centres[n] = before + step;
-    const double up = Evaluate(contents, centres);
-    centres[n] = before - step;
-    const double down = Evaluate(contents, centres);
-    centres[n] = before;
-    EXPECT_NEAR((up - down) / (2.0 * step), gradient[n], 1e-4 * largest);
-  }
+  ExpectGradientOfValue(TheProblem().SomeCentres(), 7, 1e-6, 1e-4,
+    [](const std::vector<double>& centres, double* gradient)
+    { return Evaluate(TheProblem().Contents, centres, gradient); });
 }
 
 TEST(ThirdOrderTerm, IsTheSameOnAnyRanksAndThreads)
 {
-  const std::vector<double> centres = SomeCentres();
   const Problem& problem = TheProblem();
-  std::vector<double> expected(centres.size(), 0.0);
-  const double misfit = Evaluate(problem.Contents, centres, expected.data());
-  for (int ranks = 1; ranks <= 4; ++ranks)
-  {
-    oracle::ThreadRanks::Run(ranks,
-      [&](ruc::Communicator& communicator)
-      {
-        omp_set_num_threads(5 - ranks);
-        ruc::ThirdOrderTerm term(problem.Contents, problem.Pack, communicator);
-        std::vector<double> gradient(centres.size(), 0.0);
-        EXPECT_EQ(term.Evaluate(centres.data(), 1.0, gradient.data()), misfit);
-        EXPECT_TRUE(gradient == expected);
-      });
-  }
+  const std::vector<double> centres = problem.SomeCentres();
+  ExpectSameOnAnyRanks(centres.size(),
+    [&](ruc::Communicator& ranks, double* gradient)
+    {
+      return ruc::ThirdOrderTerm(problem.Contents, problem.Pack, ranks)
+        .Evaluate(centres.data(), 1.0, gradient);
+    });
+}
+
+TEST(ThirdOrderTerm, IsTheSameWhereNothingIsKept)
+{
+  const Problem& problem = TheProblem();
+  const std::vector<double> centres = problem.SomeCentres();
+  ruc::Communicator alone;
+  std::vector<double> expected(centres.size(), 0.0), gradient = expected;
+  const double value = Evaluate(problem.Contents, centres, expected.data());
+  ruc::ThirdOrderTerm term(problem.Contents, problem.Pack, alone, 0);
+  EXPECT_EQ(term.Evaluate(centres.data(), 1.0, gradient.data()), value);
+  EXPECT_TRUE(gradient == expected);
 }
 
 TEST(ThirdOrderTerm, BringsThirdOrderNear)

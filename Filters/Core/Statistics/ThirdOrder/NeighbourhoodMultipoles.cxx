@@ -256,6 +256,11 @@ NeighbourhoodMultipoles MeasureNeighbourhoods(const PackShare& share,
     Require(result.Centres[r] >= settings.LeastCentres, settings.Name, inside,
       Text(result.Centres[r], " of class ", r + 1));
     SetValues(ofBlocks, result);
+    const auto errors = result.Error.end() - result.Shells.NumberOfProducts();
+    Require(!settings.NeedsScatter ||
+        std::any_of(errors, result.Error.end(), [](double error) { return error > 0.0; }),
+      settings.Name, "spheres of every class in more than one part of the pack, which differ",
+      Text("no scatter in class ", r + 1));
   }
   return result;
 }

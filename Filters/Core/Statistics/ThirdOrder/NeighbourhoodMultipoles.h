@@ -30,6 +30,7 @@ struct NeighbourhoodSettings
   const char* Name = "Multipoles";  // what requires what, where a pack is refused
   const char* Prefix = "Multipole"; // of the names of the first three
   int LeastCentres = 1;             // of every class
+  bool NeedsScatter = false;        // whether a class without standard errors is refused
 };
 
 /** Twelve shells from 0.04 to 1.44 mean diameters, the denser the closer. */

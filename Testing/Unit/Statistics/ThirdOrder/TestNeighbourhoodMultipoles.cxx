@@ -346,6 +346,22 @@ TEST(NeighbourhoodMultipoles, WhatCannotBeIsRefused)
     "Multipoles requires 1 centres of every class at least 6 from every face of the window");
 }
 
+// All centres of a class in one place tell no errors; a filter shows the values all the same
+TEST(NeighbourhoodMultipoles, AClassWithoutScatterIsRefusedWhereItIsNeeded)
+{
+  ruc::SpherePack pack = ThePack().Pack;
+  std::fill(pack.Mode.begin(), pack.Mode.end(), 1);
+  const std::size_t largest =
+    std::max_element(pack.Radius.begin(), pack.Radius.end()) - pack.Radius.begin();
+  pack.Mode[largest] = 2;
+  ruc::NeighbourhoodSettings settings = Settings(4); // so many that both modes are classes
+  EXPECT_EQ(Measure(pack, ThePack().Box, settings).Centres.back(), 1);
+  settings.NeedsScatter = true;
+  EXPECT_SAYS(Measure(pack, ThePack().Box, settings),
+    "Multipoles requires spheres of every class in more than one part of the pack, which differ, "
+    "got no scatter in class 2");
+}
+
 TEST(NeighbourhoodMultipoles, ClassesHaveAboutEqualVolumes)
 {
   using Classes = std::vector<int>;
