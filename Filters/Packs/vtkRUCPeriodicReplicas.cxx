@@ -178,8 +178,8 @@ int vtkRUCPeriodicReplicas::FillOutputPortInformation(int, vtkInformation* info)
 
 void vtkRUCPeriodicReplicas::CheckProperties() const
 {
-  ruc::Require(
-    this->Mode == BOUNDARY_COPIES || this->Mode == TILING, "Mode", "the value 0 or 1", this->Mode);
+  ruc::Require(this->Method == BOUNDARY_COPIES || this->Method == TILING, "Method",
+    "the value 0 or 1", this->Method);
   ruc::Require(this->SurfaceResolution >= 8 && this->SurfaceResolution <= 256, "SurfaceResolution",
     "8 <= SurfaceResolution <= 256", this->SurfaceResolution);
 }
@@ -189,7 +189,7 @@ std::array<int, 3> vtkRUCPeriodicReplicas::FindTiles(
 {
   constexpr double mostCopies = 1e8;
   std::array<int, 3> tiles = { 1, 1, 1 };
-  if (this->Mode == TILING)
+  if (this->Method == TILING)
   {
     std::copy_n(this->Tiles, 3, tiles.begin());
   }
@@ -223,10 +223,10 @@ void vtkRUCPeriodicReplicas::Execute(
     { box.Size[0] * tiles[0], box.Size[1] * tiles[1], box.Size[2] * tiles[2] }, box.Periodic);
   ruc::WrapIntoBox(observed.Pack, box);
   const Copies all = TileAll(observed.Pack, box, tiles);
-  const Copies filled = this->Mode == BOUNDARY_COPIES
+  const Copies filled = this->Method == BOUNDARY_COPIES
     ? TakeCopies(all, block, ruc::BoundaryCopies(all.Pack, block), tiles)
     : Copies(); // every sphere that reaches into the block
-  const Copies& shown = this->Mode == BOUNDARY_COPIES ? filled : all;
+  const Copies& shown = this->Method == BOUNDARY_COPIES ? filled : all;
 
   FillPoints(ShareOf(shown, ranks), vtkPolyData::GetData(outputs, 0));
   if (ranks.Rank() == 0)
@@ -255,7 +255,7 @@ void vtkRUCPeriodicReplicas::AddSummary(const PackData::ObservedPack& observed,
   {
     vtkPolyData* data = vtkPolyData::GetData(outputs, port);
     PackData::AddField(
-      data, "Method", std::string(this->Mode == TILING ? "Tiling" : "Boundary Copies"));
+      data, "Method", std::string(this->Method == TILING ? "Tiling" : "Boundary Copies"));
     PackData::AddField(data, "Tiles", std::vector<long long>{ tiles[0], tiles[1], tiles[2] });
     PackData::AddField(data, "NumberOfSpheres",
       std::vector<long long>{ static_cast<long long>(observed.Pack.Size()) });
@@ -264,7 +264,7 @@ void vtkRUCPeriodicReplicas::AddSummary(const PackData::ObservedPack& observed,
     // Boundary copies get no window, as some lie outside the box; a whole tiling is a pack in its
     // block
     PackData::AddOrigin(data, observed);
-    if (this->Mode == TILING)
+    if (this->Method == TILING)
     {
       PackData::AddWindow(data, block);
     }
@@ -280,7 +280,7 @@ std::optional<ruc::Estimate> vtkRUCPeriodicReplicas::MakeEstimate()
   const vtkIdType points = input ? input->GetNumberOfPoints() : 0;
   const double spheres = static_cast<double>(std::max(points, this->GetKnownSpheres()));
   // Boundary copies may be about as many as the spheres
-  const double tiles = this->Mode == TILING
+  const double tiles = this->Method == TILING
     ? static_cast<double>(this->Tiles[0]) * this->Tiles[1] * this->Tiles[2]
     : 2.0;
   const double copies = spheres * tiles;
@@ -299,7 +299,7 @@ std::optional<ruc::Estimate> vtkRUCPeriodicReplicas::MakeEstimate()
 void vtkRUCPeriodicReplicas::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Mode: " << this->Mode << "\n";
+  os << indent << "Method: " << this->Method << "\n";
   os << indent << "Tiles: " << this->Tiles[0] << " " << this->Tiles[1] << " " << this->Tiles[2]
      << "\n";
   os << indent << "ClipToBox: " << this->ClipToBox << "\n";

@@ -42,7 +42,7 @@ public:
   vtkTypeMacro(vtkRUCPeriodicReplicas, vtkRUCPackAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum Modes
+  enum Methods
   {
     BOUNDARY_COPIES = 0,
     TILING = 1
@@ -50,8 +50,8 @@ public:
 
   ///@{
   /** Which copies to make. Default: BOUNDARY_COPIES. */
-  vtkSetMacro(Mode, int);
-  vtkGetMacro(Mode, int);
+  vtkSetMacro(Method, int);
+  vtkGetMacro(Method, int);
   ///@}
   ///@{
   /**
@@ -94,7 +94,7 @@ private:
   void AddSummary(const PackData::ObservedPack& observed, const std::array<int, 3>& tiles,
     const ruc::Window& block, std::size_t copies, vtkInformationVector* outputs) const;
 
-  int Mode = BOUNDARY_COPIES;
+  int Method = BOUNDARY_COPIES;
   int Tiles[3] = { 1, 1, 1 };
   bool ClipToBox = false;
   int SurfaceResolution = 24;

@@ -11,7 +11,7 @@ from paraview.simple import *
 ranks = servermanager.ActiveConnection.GetNumberOfDataPartitions()
 pack_file = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../Gui/pack.csv')
 reader = SpherePackReader(FileName=pack_file, BoxSize=[10, 10, 10], BoxPeriodic=[1, 1, 1])
-tiles = PeriodicReplicas(Input=ParticleModes(Input=reader, Method='One Per Size'), Mode='Tiling', Tiles=[12, 10, 7])
+tiles = PeriodicReplicas(Input=ParticleModes(Input=reader, Method='One Per Size'), Method='Tiling', Tiles=[12, 10, 7])
 view = CreateView('RenderView', ViewSize=[800, 800])
 Show(tiles, view)
 ResetCamera(view)

@@ -45,7 +45,7 @@ cell.UpdatePipeline()
 
 timed = []
 for tiles in ((1, 1, 1), (2, 5, 1), (5, 5, 4), (10, 10, 10))[0 if ranks == 1 else 3:]:
-    pack = PeriodicReplicas(Input=cell, Mode='Tiling', Tiles=tiles)
+    pack = PeriodicReplicas(Input=cell, Method='Tiling', Tiles=tiles)
     pack.UpdatePipeline()
     spheres = pack.GetDataInformation().GetNumberOfPoints()
     probability = TwoPointProbability(Input=pack, MaximumLag=5 * diameter, NumberOfLags=200)

@@ -49,7 +49,7 @@ def pack(what, spheres, box=(20.0, 15.0, 15.0)):
     with open(path, "w") as file:
         file.write("x,y,z,radius\n" + "".join(",".join(map(str, sphere)) + "\n" for sphere in spheres))
     modes = ParticleModes(Input=SpherePackReader(FileName=path, BoxSize=box, BoxPeriodic=[1, 1, 1]), Method="One Per Size")
-    return PeriodicReplicas(Input=modes, Mode="Tiling")
+    return PeriodicReplicas(Input=modes, Method="Tiling")
 
 
 def subtract(a, b):
@@ -212,7 +212,7 @@ view.ViewSize = [600, 450]
 view.Background = [0.32, 0.34, 0.43]
 reader = SpherePackReader(FileName=os.path.join(os.path.dirname(os.path.abspath(__file__)), "pack.csv"), BoxSize=[10, 10, 10],
                           BoxPeriodic=[1, 1, 1])
-tiles = PeriodicReplicas(Input=ParticleModes(Input=reader, Method="One Per Size"), Mode="Tiling", Tiles=[7, 7, 7])
+tiles = PeriodicReplicas(Input=ParticleModes(Input=reader, Method="One Per Size"), Method="Tiling", Tiles=[7, 7, 7])
 display = Show(tiles, view)
 assert tiles.GetDataInformation().GetNumberOfPoints() == 343 * 60 > 20000
 view.CameraParallelProjection = 0

@@ -23,7 +23,7 @@ view = FindViewOrCreate("RenderView1", "RenderView")
 assert list(reader.BoxSize) == [10.0, 10.0, 10.0] and list(reader.BoxPeriodic) == [1, 1, 1]
 assert modes.Method == "One Per Size"
 assert (cell.NumberOfParticles, cell.NumberOfLags, cell.MaximumIterations) == (30, 40, 5)
-assert (replicas.Mode, list(replicas.Tiles)) == ("Tiling", [2, 1, 1])
+assert (replicas.Method, list(replicas.Tiles)) == ("Tiling", [2, 1, 1])
 for source in reader, modes, cell, replicas:
     display = GetRepresentation(source, view)
     assert display.Representation == "Spheres", (source, display.Representation)

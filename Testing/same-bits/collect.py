@@ -368,11 +368,11 @@ def cells():
     reconstruct('from a table', target, **SMALL, **diameters)
     reconstruct('from a file', CSVReader(FileName=[table_file('target.csv', target)]), **SMALL, **diameters)
     reconstruct('mode counts, from a table', target, ModeCounts=[17, 40], MaximumIterations=3, **diameters)
-    for name, settings in (('boundary copies', {}), ('tiling', {'Mode': 'Tiling', 'Tiles': [2, 1, 3]})):
+    for name, settings in (('boundary copies', {}), ('tiling', {'Method': 'Tiling', 'Tiles': [2, 1, 3]})):
         replicate(name, reconstruct(name, pack, **{**SMALL, 'Seed': 9}), **settings)
     spheres = UnitCellReconstruction(Input=pack, **SMALL)
     replicate('spread over the ranks', spread('copies_spread'), clip=True)
-    for name, settings in (('clipped', {}), ('coarse', {'SurfaceResolution': 8}), ('clipped tiling', {'Mode': 'Tiling', 'Tiles': [1, 2, 1]})):
+    for name, settings in (('clipped', {}), ('coarse', {'SurfaceResolution': 8}), ('clipped tiling', {'Method': 'Tiling', 'Tiles': [1, 2, 1]})):
         surfaces = replicate(name, spheres, clip=True, **settings)
     write_stl('surfaces.stl', surfaces)
 

@@ -66,7 +66,7 @@ TEST_P(ReplicasEquality, TilesWithoutTheirSurfaces)
   ExpectSame<Replicas>(
     [](auto* f)
     {
-      f->SetMode(Replicas::TILING);
+      f->SetMethod(Replicas::TILING);
       f->SetTiles(2, 1, 3);
     },
     { 2 }, { 0, 2 });

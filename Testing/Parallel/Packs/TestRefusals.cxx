@@ -119,7 +119,7 @@ TEST(PeriodicReplicasRefusals, NoTiles)
   RefusesSettings<Replicas>({ "Periodic Replicas", "Tiles requires", "got 0 1 1" },
     [](Replicas* f)
     {
-      f->SetMode(Replicas::TILING);
+      f->SetMethod(Replicas::TILING);
       f->SetTiles(0, 1, 1);
     });
 }
@@ -130,13 +130,13 @@ TEST(PeriodicReplicasRefusals, TilesThatTakeTooMuchMemory)
     { "Periodic Replicas", "MemoryLimit requires at least", "MB on every rank", "got 4000" },
     [](Replicas* f)
     {
-      f->SetMode(Replicas::TILING);
+      f->SetMethod(Replicas::TILING);
       f->SetTiles(100, 100, 10);
     });
   RefusesSettings<Replicas>({ "Periodic Replicas", "MemoryLimit requires at least", "got 4000" },
     [](Replicas* f)
     {
-      f->SetMode(Replicas::TILING);
+      f->SetMethod(Replicas::TILING);
       f->SetTiles(10, 10, 2);
       f->SetClipToBox(true);
       f->SetSurfaceResolution(256);
