@@ -38,6 +38,7 @@ FORMULAS = {
     'sources.SpherePackSource': '(Σ 4 π r³ / (3 φ))^(1/3)',
     'sources.SpherePackReader': 'position = Scale × (x, y, z)',
     'writers.RawImageWriter': 'place i + n_x (j + n_y k) after the header',
+    'writers.SolverDeckWriter': 'u(high) − u(low) − Σ u(PERIOD_a) = 0',
     'writers.SpherePackWriter': 'diameter = 2 × Radius',
 }
 BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.ImageStatistics', 'filters.RadialDistribution', 'filters.ThirdOrderParameters', 'filters.VoidDistances')
