@@ -24,11 +24,12 @@ cell = pv.UnitCellReconstruction(Input=modes, NumberOfParticles=30, NumberOfLags
 three_point = pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5, NumberOfLags=8, NumberOfThrows=100)
 of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=20)
 comparison = pv.CompareProbabilities(Input=two_point, Cell=of_cell)
+report = pv.CompareWithPack(Input=modes, Cell=cell)
 replicas = pv.PeriodicReplicas(Input=cell)
 mesh = pv.PeriodicMesh(Input=cell)
 particles = pv.ParticlesFromImage(Input=pv.LabelImage(Input=modes, Dimensions=[40, 40, 40], VolumeFractions=1), ImageArray="VolumeFraction",
                                   Residual=1)
-filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, cell, three_point, of_cell, comparison, replicas, mesh, particles]
+filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, cell, three_point, of_cell, comparison, report, replicas, mesh, particles]
 
 runs = {}
 
@@ -61,7 +62,7 @@ render = pv.CreateView("RenderView", ViewSize=[300, 200])
 displays = [pv.Show(source, render) for source in (reader, modes, cell, replicas)]
 pv.Show(labels, render)
 pv.Render(render)
-for source in (one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, three_point, of_cell, comparison, mesh, particles):
+for source in (one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, three_point, of_cell, comparison, report, mesh, particles):
     source.UpdatePipeline()
 check("the first outputs")
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace ruc
 {
@@ -146,12 +147,16 @@ private:
 // Measures the distances plane by plane. Rank 0 keeps those of all points, raised by PoreThroats, 0
 // outside the region.
 std::vector<float> Measure(const PackShare& share, const SamplingRegion& region,
-  const PointLattice& lattice, DistanceCounts& counts, double most, Communicator& ranks,
-  const std::function<void(double)>& progress)
+  const PointLattice& lattice, DistanceCounts& counts, const VoidSettings& settings,
+  Communicator& ranks, const std::function<void(double)>& progress)
 {
   std::vector<float> kept;
-  const PoreThroats throats(
-    share, lattice, std::min(most, WidestThroat * share.MeanDiameter()), ranks);
+  const double most = settings.MaximumDistance;
+  std::optional<PoreThroats> throats;
+  if (settings.WithCriticalRadius)
+  {
+    throats.emplace(share, lattice, std::min(most, WidestThroat * share.MeanDiameter()), ranks);
+  }
   const int planes =
     static_cast<int>(std::max<std::size_t>(1, PointsAtATime / lattice.PlaneSize()));
   for (int first = 0; first < lattice.Count[0]; first += planes)
@@ -160,7 +165,8 @@ std::vector<float> Measure(const PackShare& share, const SamplingRegion& region,
     const SurfaceDistances own = FindSurfaceDistances(share.Own, lattice, most, first, last);
     std::vector<double> distances(own.Distance.begin(), own.Distance.end());
     ranks.Minimum(distances.data(), distances.size());
-    const std::vector<double> raised = throats.Raise(own, distances, first, ranks);
+    const std::vector<double> raised =
+      throats ? throats->Raise(own, distances, first, ranks) : std::vector<double>();
     std::size_t n = 0;
     for (int i = first; i < last; ++i)
     {
@@ -174,7 +180,7 @@ std::vector<float> Measure(const PackShare& share, const SamplingRegion& region,
           {
             counts.Add(point, distances[n]);
           }
-          if (ranks.Rank() == 0)
+          if (throats && ranks.Rank() == 0)
           {
             kept.push_back(isVoid ? static_cast<float>(raised[n]) : 0.0F);
           }
@@ -288,7 +294,7 @@ VoidDistances MeasureVoids(const PackShare& share, const SamplingRegion& region,
   const SpaceBlocks blocks(box, settings.Blocks);
   DistanceCounts counts(blocks, found);
   const std::vector<float> distances =
-    Measure(share, region, lattice, counts, most, ranks, progress);
+    Measure(share, region, lattice, counts, found, ranks, progress);
 
   VoidDistances result;
   counts.Find(result);
@@ -300,6 +306,11 @@ VoidDistances MeasureVoids(const PackShare& share, const SamplingRegion& region,
   result.Spacing = *std::max_element(lattice.Spacing.begin(), lattice.Spacing.end());
   result.MaximumDistance = most;
   std::vector<double> critical;
+  if (!found.WithCriticalRadius)
+  {
+    result.CriticalRadius.fill({ NotANumber, NotANumber });
+    return result;
+  }
   if (ranks.Rank() == 0)
   {
     for (const ValueWithError& radius :

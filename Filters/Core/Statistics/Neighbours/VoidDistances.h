@@ -29,8 +29,9 @@ struct VoidSettings
    * diameter, more where spheres are sparse, less in a small periodic box.
    */
   double MaximumDistance = 0.0;
-  int Distances = 200; // the number of steps up to it, from 1 to 100 000
-  int Blocks = 32;     // about the number of blocks for the errors, from 2 to 1000
+  int Distances = 200;            // the number of steps up to it, from 1 to 100 000
+  int Blocks = 32;                // about the number of blocks for the errors, from 2 to 1000
+  bool WithCriticalRadius = true; // which takes most of the time
 };
 
 /** Throws std::invalid_argument for settings out of range. */
@@ -60,7 +61,7 @@ struct VoidDistances
   /**
    * The radius of the largest sphere that fits through the matrix along x, y and z: from face to
    * face of the region, or of the box inside a cylinder along an axis; along a periodic axis from a
-   * place to its image. NaN where the region is no box.
+   * place to its image. NaN where the region is no box, and without WithCriticalRadius.
    *
    * Points beside a throat count as those within (PoreThroats), so that the spacing h makes an
    * error of the order of h^2 / 12 mean diameters. The error has this, and the scatter of the
