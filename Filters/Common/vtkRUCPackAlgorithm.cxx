@@ -11,7 +11,10 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkPointSet.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,6 +130,29 @@ PackData::ObservedPack vtkRUCPackAlgorithm::GatherPack(
     PackData::GatherPack(input, this->GetWindowProperties(), withModes, ranks);
   this->Warn(pack, ranks);
   return pack;
+}
+
+PackData::SharedPack vtkRUCPackAlgorithm::FindShareEarly(
+  vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* input = inputs[0]->GetInformationObject(0);
+  int port = 0;
+  vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0, port);
+  vtkNew<vtkInformationVector> requests;
+  requests->SetNumberOfInformationObjects(port + 1);
+  vtkInformation* request = requests->GetInformationObject(port);
+  request->Set(Pipeline::UPDATE_PIECE_NUMBER(), ranks.Rank());
+  request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), ranks.Size());
+  request->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (vtkInformation* last = outputs->GetInformationObject(0);
+      last->Has(Pipeline::UPDATE_TIME_STEP()))
+  {
+    request->Set(Pipeline::UPDATE_TIME_STEP(), last->Get(Pipeline::UPDATE_TIME_STEP()));
+  }
+  producer->Update(port, requests);
+  const vtkSmartPointer<vtkPointSet> points = PackInput::Find(vtkDataObject::GetData(input), ranks);
+  return PackData::FindShare(points, this->GetWindowProperties(), true, ranks);
 }
 
 double vtkRUCPackAlgorithm::CheckOverlap(

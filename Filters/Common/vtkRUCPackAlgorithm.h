@@ -120,6 +120,13 @@ protected:
   ///@}
 
   /**
+   * Runs the filters upstream when ParaView asks how large an image will be, and returns this
+   * rank's share of the pack that comes, without warnings. Collective.
+   */
+  PackData::SharedPack FindShareEarly(
+    vtkInformationVector** inputs, vtkInformationVector* outputs, RankCommunicator& ranks);
+
+  /**
    * Returns the overlap of a pack in percent of the spheres' volume. If the volumes of the spheres
    * add up to that of the window or more, or the overlap is above PackData::MostOverlap, diameters
    * have most likely been taken as radii. An `exact` result, a sum over spheres in which overlaps

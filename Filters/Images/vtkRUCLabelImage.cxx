@@ -3,7 +3,6 @@
 #include "vtkRUCLabelImage.h"
 
 #include "PackData.h"
-#include "PackInput.h"
 #include "ProgressReport.h"
 #include "RankCommunicator.h"
 #include "VoxelOutput.h"
@@ -19,12 +18,9 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -66,26 +62,8 @@ int vtkRUCLabelImage::FillOutputPortInformation(int, vtkInformation* info)
 ruc::VoxelGrid vtkRUCLabelImage::FindGrid(
   vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   RankCommunicator ranks(this->GetController());
-  vtkInformation* input = inputs[0]->GetInformationObject(0);
-  int port = 0;
-  vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0, port);
-  vtkNew<vtkInformationVector> requests;
-  requests->SetNumberOfInformationObjects(port + 1);
-  vtkInformation* request = requests->GetInformationObject(port);
-  request->Set(Pipeline::UPDATE_PIECE_NUMBER(), ranks.Rank());
-  request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), ranks.Size());
-  request->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  if (vtkInformation* last = outputs->GetInformationObject(0);
-      last->Has(Pipeline::UPDATE_TIME_STEP()))
-  {
-    request->Set(Pipeline::UPDATE_TIME_STEP(), last->Get(Pipeline::UPDATE_TIME_STEP()));
-  }
-  producer->Update(port, requests);
-  const vtkSmartPointer<vtkPointSet> points = PackInput::Find(vtkDataObject::GetData(input), ranks);
-  const PackData::SharedPack pack =
-    PackData::FindShare(points, this->GetWindowProperties(), true, ranks);
+  const PackData::SharedPack pack = this->FindShareEarly(inputs, outputs, ranks);
   return this->MakeGrid(pack.Observed, pack.Share.MeanDiameter());
 }
 

@@ -45,8 +45,12 @@ def observe(source):
 
 for source in filters:
     observe(source)
-labels = pv.LabelImage(Input=modes)  # which asks the pack for the extent of its image
+# These two ask the pack for the extent of their images
+labels = pv.LabelImage(Input=modes)
+effective = pv.EffectiveProperties(Input=modes, Resolution=12, SecondResolution=0)
+filters.append(effective)
 observe(labels)
+observe(effective)
 
 failures = []
 
@@ -62,7 +66,7 @@ render = pv.CreateView("RenderView", ViewSize=[300, 200])
 displays = [pv.Show(source, render) for source in (reader, modes, cell, replicas)]
 pv.Show(labels, render)
 pv.Render(render)
-for source in (one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, three_point, of_cell, comparison, report, mesh, particles):
+for source in (one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, effective, three_point, of_cell, comparison, report, mesh, particles):
     source.UpdatePipeline()
 check("the first outputs")
 

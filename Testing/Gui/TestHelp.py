@@ -21,6 +21,7 @@ FORMULAS = {
     'filters.DirectionalProbability': 'σ_S_rs(r) = √( Σ (S_rs(r n) − mean)² / (M − 1) )',
     'filters.ProbabilityMap': 'S_rs(x) = (δ_rs / V) Σ V_ii(|x|) + Σ V_ij(|d_ij − x|) / γ(d_ij)',
     'filters.ChordLengths': 'L_r(r) = Σ (c − r)+ / Σ (l − r)+',
+    'filters.EffectiveProperties': '⟨a⟩ − c_1 c_2 (a_2 − a_1)² / (c_1 a_2 + c_2 a_1 + y)',
     'filters.ImageStatistics': 'S_rs(x) = (A_rs(x) + A_rs(−x)) / (2 W(x))',
     'filters.NeighbourStatistics': 'q_l² = Σ A_f A_g P_l(n_f · n_g) / (Σ A)²',
     'filters.RadialDistribution': 'g_rs(r_k) = Σ (V / γ(d_ij)) / (N shell_k / V)',
@@ -42,7 +43,7 @@ FORMULAS = {
     'writers.SolverDeckWriter': 'u(high) − u(low) − Σ u(PERIOD_a) = 0',
     'writers.SpherePackWriter': 'diameter = 2 × Radius',
 }
-BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.ImageStatistics', 'filters.RadialDistribution', 'filters.ThirdOrderParameters', 'filters.VoidDistances')
+BOOK, FROM_THE_BOOK = 'Torquato, Random Heterogeneous Materials, Springer 2002', ('filters.ChordLengths', 'filters.EffectiveProperties', 'filters.ImageStatistics', 'filters.RadialDistribution', 'filters.ThirdOrderParameters', 'filters.VoidDistances')
 SOURCES = {'filters.PeriodicMesh': 'Bowyer, The Computer Journal 24, 162 (1981)',
            'filters.NeighbourStatistics': 'Mickel, Kapfer, Schröder-Turk, Mecke, J. Chem. Phys. 138, 044501 (2013)',
            'sources.SpherePackSource': 'Lubachevsky, Stillinger, J. Stat. Phys. 60, 561 (1990)'}

@@ -55,9 +55,12 @@ void ExpectSameVoxels(vtkImageData* slab, vtkImageData* whole, int association)
       {
         for (int i = extent[0]; i <= extent[1] - cells; ++i)
         {
-          EXPECT_EQ(
-            got->GetTuple1(placeIn(slab, i, j, k)), expected->GetTuple1(placeIn(whole, i, j, k)))
-            << expected->GetName();
+          for (int c = 0; c < expected->GetNumberOfComponents(); ++c)
+          {
+            EXPECT_EQ(got->GetComponent(placeIn(slab, i, j, k), c),
+              expected->GetComponent(placeIn(whole, i, j, k), c))
+              << expected->GetName();
+          }
         }
       }
     }

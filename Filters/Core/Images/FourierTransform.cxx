@@ -49,6 +49,28 @@ void Separate(const Lines& lines, int size, int k, TwoSpectra& two)
     two.ImaginaryB[l] = 0.5 * (c - a);
   }
 }
+
+// Sets a frequency of lines, and that which is its mirror image, to those of pairs of rows, which
+// lie Lanes apart: a row a is added as it is, and its partner b as i b; both have conjugate halves
+void JoinRows(
+  const double* real, const double* imaginary, int rows, int k, int mirrored, Lines& lines)
+{
+  double* here = lines.Real.data() + std::size_t(k) * Lanes;
+  double* hereToo = lines.Imaginary.data() + std::size_t(k) * Lanes;
+  double* there = lines.Real.data() + std::size_t(mirrored) * Lanes;
+  double* thereToo = lines.Imaginary.data() + std::size_t(mirrored) * Lanes;
+  for (int n = 0; n < Lanes; ++n)
+  {
+    const std::size_t first = std::size_t(2 * n) * Lanes, second = first + Lanes;
+    const bool hasFirst = 2 * n < rows, hasSecond = 2 * n + 1 < rows;
+    const double a = hasFirst ? real[first] : 0.0, b = hasFirst ? imaginary[first] : 0.0;
+    const double c = hasSecond ? real[second] : 0.0, d = hasSecond ? imaginary[second] : 0.0;
+    there[n] = a + d;
+    thereToo[n] = c - b;
+    here[n] = a - d;
+    hereToo[n] = b + c;
+  }
+}
 }
 
 FourierTransform::FourierTransform(
@@ -238,6 +260,105 @@ std::vector<std::vector<double>> FourierTransform::ProductPlanes(
     }
   }
   return planes;
+}
+
+void FourierTransform::InvertColumns(Spectrum& spectrum) const
+{
+  const std::size_t numbers = std::size_t(this->Size[2]) * Lanes;
+#pragma omp parallel
+  {
+    std::vector<double> work(this->AlongZ.WorkSize());
+#pragma omp for
+    for (std::int64_t block = 0; block < this->NumberOfBlocks(); ++block)
+    {
+      double* real = spectrum.data() + block * 2 * numbers;
+      this->AlongZ.Forward(real + numbers, real, work.data());
+    }
+  }
+}
+
+void FourierTransform::InvertAll(Plane& plane, std::vector<double>& values) const
+{
+  const std::size_t ofBlock = std::size_t(this->Size[1]) * Lanes;
+  std::vector<double> work(this->AlongY.WorkSize());
+  for (int block = 0; block < this->BlocksX(); ++block)
+  {
+    this->AlongY.Forward(
+      plane.Imaginary.data() + block * ofBlock, plane.Real.data() + block * ofBlock, work.data());
+  }
+  Lines lines(this->AlongX);
+  values.resize(std::size_t(this->Filled[0]) * this->Filled[1]);
+  const double factor = 1.0 / (static_cast<double>(this->Size[0]) * this->Size[1] * this->Size[2]);
+  for (int first = 0; first < this->Filled[1]; first += 2 * Lanes)
+  {
+    const int count = std::min(2 * Lanes, this->Filled[1] - first);
+    for (int k = 0; k < this->HalfX(); ++k)
+    {
+      const std::size_t from = k / Lanes * ofBlock + std::size_t(first) * Lanes + k % Lanes;
+      JoinRows(plane.Real.data() + from, plane.Imaginary.data() + from, count, k,
+        k == 0 ? 0 : this->Size[0] - k, lines);
+    }
+    this->AlongX.Forward(lines.Imaginary.data(), lines.Real.data(), lines.Work.data());
+    for (int n = 0; n < count; ++n)
+    {
+      const double* from = (n % 2 == 0 ? lines.Real : lines.Imaginary).data() + n / 2;
+      double* row = values.data() + std::size_t(first + n) * this->Filled[0];
+      for (int x = 0; x < this->Filled[0]; ++x)
+      {
+        row[x] = factor * from[std::size_t(x) * Lanes];
+      }
+    }
+  }
+}
+
+void FourierTransform::Inverse(Spectrum& spectrum,
+  const std::function<void(int, const double*)>& take, Communicator& ranks) const
+{
+  this->InvertColumns(spectrum);
+  const std::size_t own = this->NumberOfColumns(this->Rank);
+  const std::int64_t planesOfRound = std::max<std::int64_t>(
+    1, static_cast<std::int64_t>(BytesOfRound / (16.0 * this->ColumnsOfPlane())));
+  for (std::int64_t begun = 0; begun < this->Planes.Largest(); begun += planesOfRound)
+  {
+    const auto planesOf = [&](int rank)
+    { return std::clamp<std::int64_t>(this->Planes.Size(rank) - begun, 0, planesOfRound); };
+    std::vector<std::vector<double>> outgoing(ranks.Size());
+    for (int rank = 0; rank < ranks.Size(); ++rank)
+    {
+      outgoing[rank].resize(planesOf(rank) * 2 * own);
+      const std::int64_t first = this->Planes.Begin(rank) + begun;
+#pragma omp parallel for
+      for (std::int64_t block = 0; block < static_cast<std::int64_t>(own / Lanes); ++block)
+      {
+        const double* from = spectrum.data() + block * 2 * Lanes * this->Size[2];
+        for (std::int64_t plane = 0; plane < planesOf(rank); ++plane)
+        {
+          double* to = outgoing[rank].data() + plane * 2 * own + block * Lanes;
+          std::copy_n(from + (first + plane) * Lanes, Lanes, to);
+          std::copy_n(from + (this->Size[2] + first + plane) * Lanes, Lanes, to + own);
+        }
+      }
+    }
+    const std::vector<std::vector<double>> incoming = ranks.AllToAll(std::move(outgoing));
+    const int firstPlane = static_cast<int>(this->Planes.Begin(this->Rank) + begun);
+#pragma omp parallel for schedule(dynamic)
+    for (std::int64_t n = 0; n < planesOf(this->Rank); ++n)
+    {
+      Plane plane;
+      std::vector<double> values;
+      plane.Real.resize(this->ColumnsOfPlane());
+      plane.Imaginary.resize(this->ColumnsOfPlane());
+      for (int rank = 0; rank < ranks.Size(); ++rank)
+      {
+        const std::size_t count = this->NumberOfColumns(rank);
+        const double* from = incoming[rank].data() + n * 2 * count;
+        std::copy_n(from, count, plane.Real.data() + this->FirstColumn(rank));
+        std::copy_n(from + count, count, plane.Imaginary.data() + this->FirstColumn(rank));
+      }
+      this->InvertAll(plane, values);
+      take(firstPlane + static_cast<int>(n), values.data());
+    }
+  }
 }
 
 void FourierTransform::InvertPlane(

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -54,6 +55,31 @@ public:
     Communicator& ranks) const;
 
   /**
+   * Replaces a spectrum by what is left of it after its transform along z, and calls take(z,
+   * values) with each plane of this rank, from any thread: Filled[1] rows of Filled[0] numbers, the
+   * sum over k of the spectrum times exp(2 pi i k x / Size) over the number of frequencies. So
+   * Forward and then Inverse gives the image. Collective.
+   */
+  void Inverse(Spectrum& spectrum, const std::function<void(int z, const double* values)>& take,
+    Communicator& ranks) const;
+
+  /** The frequencies of a block of this rank: those along x from FirstX on, and that along y. */
+  struct Frequencies
+  {
+    int FirstX, Y;
+  };
+  std::int64_t NumberOfBlocks() const
+  {
+    return static_cast<std::int64_t>(this->NumberOfColumns(this->Rank) / Lanes);
+  }
+  Frequencies FrequenciesOf(std::int64_t block) const
+  {
+    const std::int64_t of =
+      static_cast<std::int64_t>(this->FirstColumn(this->Rank) / Lanes) + block;
+    return { static_cast<int>(of / this->Size[1]) * Lanes, static_cast<int>(of % this->Size[1]) };
+  }
+
+  /**
    * Calls visit(z, values) on each plane z = 0 … last[2] that this rank is given by `Slabs{last[2]
    * + 1, ranks}`. The values are g(x) + g(-x), where g(x) = sum over y of f(y) h(y + x) for the
    * images f and h of which `a` and `b` are the spectra; both are periodic with Size. The plane has
@@ -84,6 +110,8 @@ private:
   };
   void TransformPlane(
     int z, const std::function<void(int, int, double*)>& fill, Plane& plane) const;
+  void InvertColumns(Spectrum& spectrum) const;
+  void InvertAll(Plane& plane, std::vector<double>& values) const;
   void InvertPlane(Plane& plane, const std::array<int, 3>& last, std::vector<double>& values) const;
   void TransformColumns(Spectrum& spectrum) const;
   // The products of two spectra, transformed along z: for every rank its planes of lags

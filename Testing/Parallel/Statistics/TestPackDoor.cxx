@@ -6,6 +6,7 @@
 #include "RankCommunicator.h"
 #include "vtkRUCChordLengths.h"
 #include "vtkRUCDirectionalProbability.h"
+#include "vtkRUCEffectiveProperties.h"
 #include "vtkRUCLabelImage.h"
 #include "vtkRUCNeighbourStatistics.h"
 #include "vtkRUCOnePointProbability.h"
@@ -72,6 +73,12 @@ void Prepare(vtkRUCThreePointProbability* filter)
   filter->SetNumberOfThrows(200);
   filter->SetNumberOfLags(4);
 }
+void Prepare(vtkRUCEffectiveProperties* filter)
+{
+  filter->SetMethod(vtkRUCEffectiveProperties::BOUNDS);
+  filter->SetResolution(12);
+  filter->SetSecondResolution(0);
+}
 void Prepare(vtkRUCProbabilityMap* filter)
 {
   filter->SetResolution(4);
@@ -128,6 +135,7 @@ void ForEachFilter(Check&& check)
   check(static_cast<vtkRUCNeighbourStatistics*>(nullptr));
   check(static_cast<vtkRUCVoidDistances*>(nullptr));
   check(static_cast<vtkRUCLabelImage*>(nullptr));
+  check(static_cast<vtkRUCEffectiveProperties*>(nullptr));
 }
 
 template <class Filter>

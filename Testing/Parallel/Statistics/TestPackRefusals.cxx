@@ -4,6 +4,7 @@
 #include "Refusals.h"
 
 #include "vtkRUCChordLengths.h"
+#include "vtkRUCEffectiveProperties.h"
 #include "vtkRUCLabelImage.h"
 #include "vtkRUCNeighbourStatistics.h"
 #include "vtkRUCOnePointProbability.h"
@@ -213,7 +214,7 @@ TEST(WindowRefusals, BoxSmallerThanASphere)
 namespace
 {
 template <class Filter>
-void RefusesLayer(const char* label)
+void RefusesLayer(const char* label, const std::function<void(Filter*)>& configure = {})
 {
   const std::vector<std::string> parts = { label,
     "The window requires edges longer than the largest sphere's diameter, 1.2, got a box window" };
@@ -226,7 +227,7 @@ void RefusesLayer(const char* label)
         }
       },
       [](vtkPolyData* d) { d->GetFieldData()->Initialize(); }, {} },
-    false);
+    false, configure);
 }
 }
 
@@ -242,6 +243,13 @@ TEST(WindowRefusals, LayerOfSpheres)
   RefusesLayer<vtkRUCVoidDistances>("Void Distances");
   RefusesLayer<vtkRUCParticleModes>("Particle Modes");
   RefusesLayer<vtkRUCLabelImage>("Label Image");
+  RefusesLayer<vtkRUCEffectiveProperties>("Effective Properties",
+    [](auto* filter)
+    {
+      filter->SetMethod(vtkRUCEffectiveProperties::BOUNDS);
+      filter->SetResolution(12);
+      filter->SetSecondResolution(0);
+    });
   RefusesLayer<vtkRUCPointsToSpherePack>("Points To Sphere Pack");
 }
 

@@ -192,6 +192,64 @@ TEST(FourierTransform, CorrelatesAsDirectSumsDo)
   }
 }
 
+TEST(FourierTransform, InverseGivesTheImageOnAnyNumberOfRanks)
+{
+  for (const Case& of : Cases)
+  {
+    const Image image(of.Filled, 3);
+    std::vector<double> alone;
+    for (int size : { 1, 2, 3, 7 })
+    {
+      oracle::ThreadRanks::Run(size,
+        [&](ruc::Communicator& ranks)
+        {
+          const FourierTransform transform(of.Size, of.Filled, ranks);
+          FourierTransform::Spectrum spectrum = image.Transform(transform, ranks);
+          const std::size_t plane = std::size_t(of.Filled[0]) * of.Filled[1];
+          const std::int64_t begin = transform.GetPlanes().Begin(ranks.Rank());
+          std::vector<double> own(transform.GetPlanes().Size(ranks.Rank()) * plane);
+          transform.Inverse(
+            spectrum,
+            [&](int z, const double* values)
+            { std::copy_n(values, plane, own.data() + (z - begin) * plane); },
+            ranks);
+          const std::vector<double> all = ranks.Concatenate(own);
+          ASSERT_EQ(all.size(), image.Values.size());
+          for (std::size_t n = 0; n < all.size(); ++n)
+          {
+            ASSERT_NEAR(all[n], image.Values[n], 1e-14 * of.Size[0] * of.Size[1] * of.Size[2]);
+          }
+          if (ranks.Rank() == 0)
+          {
+            alone = size == 1 ? all : alone;
+            EXPECT_EQ(all, alone) << size;
+          }
+        });
+    }
+  }
+}
+
+TEST(FourierTransform, KnowsTheFrequenciesOfItsBlocks)
+{
+  const Case& of = Cases[5];
+  oracle::ThreadRanks::Run(2,
+    [&](ruc::Communicator& ranks)
+    {
+      const FourierTransform transform(of.Size, of.Filled, ranks);
+      const Image image(of.Filled, 1);
+      const FourierTransform::Spectrum spectrum = image.Transform(transform, ranks);
+      for (std::int64_t block = 0; block < transform.NumberOfBlocks(); ++block)
+      {
+        const auto [x, y] = transform.FrequenciesOf(block);
+        for (int lane = 0; lane < Lanes && x + lane < transform.HalfX(); ++lane)
+        {
+          const std::size_t place = block * 2 * of.Size[2] * Lanes + lane;
+          ASSERT_NEAR(spectrum[place], Sum(image, of.Size, { x + lane, y, 0 }).real(), 1e-12);
+        }
+      }
+    });
+}
+
 TEST(FourierTransform, IsEqualForAnyNumberOfRanks)
 {
   for (const Case& of : Cases)

@@ -3,6 +3,7 @@
 #include "VoxelOutput.h"
 
 #include "ImageSlab.h"
+#include "RankCommunicator.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"

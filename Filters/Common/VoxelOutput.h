@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "RUCCommonModule.h"
 #include "ruc/Images/VoxelGrid.h"
 
 #include "vtkDataSetAttributes.h"
@@ -14,7 +15,7 @@ class vtkImageData;
 class vtkInformation;
 
 /** The images that this plugin makes: in pieces, with a value for each voxel on cells or points. */
-namespace VoxelOutput
+namespace VoxelOutput RUCCOMMON_EXPORT
 {
 /**
  * Tells the pipeline of the extent of an image and, where the grid has voxels with edges, of its
