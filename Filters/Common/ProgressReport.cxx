@@ -84,3 +84,9 @@ std::function<void(double)> ProgressReport::ForPairs(const RankCommunicator& ran
     }
   };
 }
+
+std::function<bool(double)> ProgressReport::ForSums(const RankCommunicator& ranks)
+{
+  return [this, &ranks](double done)
+  { return ranks.Rank() != 0 || this->Update(done, "summing pairs"); };
+}

@@ -46,10 +46,11 @@ public:
   [[nodiscard]] bool Update(double fraction, const std::string& activity);
 
   /**
-   * Returns a function that tells, on rank 0, the share of the pairs that are summed, for sums that
-   * cannot be stopped.
+   * Returns a function that tells, on rank 0, the share of the pairs that are summed. That of
+   * ForPairs is for sums that cannot be stopped; the other one returns whether to go on.
    */
   std::function<void(double)> ForPairs(const RankCommunicator& ranks);
+  std::function<bool(double)> ForSums(const RankCommunicator& ranks);
 
   /** The seconds since the report was made. */
   double Seconds() const;

@@ -257,7 +257,7 @@ void vtkRUCUnitCellReconstruction::Execute(
     const ruc::LagGrid lags =
       ruc::LagLimit::ForPairSum(pack.Share.Observed, pack.Share.LargestRadius)
         .MakeGrid(0.0, this->Cell.NumberOfLags);
-    return this->FindEdge(ruc::SumPairs(pack.Share, lags, ranks, report.ForPairs(ranks)),
+    return this->FindEdge(ruc::SumPairs(pack.Share, lags, ranks, report.ForSums(ranks)),
       pack.Share.MeanDiameter(), ranks);
   };
   ruc::CellContents contents =
@@ -269,7 +269,7 @@ void vtkRUCUnitCellReconstruction::Execute(
   const ruc::LagGrid lags =
     ruc::LagLimit::ForCell(contents.Edge).MakeGrid(this->Cell.MaximumLag, this->Cell.NumberOfLags);
   const ruc::TwoPointProbability target =
-    ruc::SumPairs(pack.Share, lags, ranks, report.ForPairs(ranks));
+    ruc::SumPairs(pack.Share, lags, ranks, report.ForSums(ranks));
   this->Reconstruct(
     contents, target, this->FindSearch(pack.Share, ranks), pack.LengthUnit, outputs, ranks, report);
 }

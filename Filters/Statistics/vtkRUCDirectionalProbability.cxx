@@ -95,14 +95,7 @@ ruc::DirectionalProbability vtkRUCDirectionalProbability::Measure(const ruc::Pac
   const std::vector<ruc::Vector3> directions = ruc::EvenDirections(this->NumberOfDirections);
   if (!region)
   {
-    return ruc::SumPairsAlong(share, directions, lags, ranks,
-      [&](double done)
-      {
-        if (ranks.Rank() == 0)
-        {
-          report.Tell(done, "summing pairs");
-        }
-      });
+    return ruc::SumPairsAlong(share, directions, lags, ranks, report.ForSums(ranks));
   }
   const auto progress = [&](double done, const std::string& text)
   { return ranks.Rank() != 0 || report.Update(done, text); };

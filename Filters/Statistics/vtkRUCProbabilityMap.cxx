@@ -90,7 +90,7 @@ void vtkRUCProbabilityMap::Execute(
   const int modes = share.NumberOfModes();
   const double reach = this->FindReach(share);
   const ruc::ProbabilityMap map = ruc::MapPairs(share, ParsePairs(this->PhasePairs, modes),
-    reach / this->Resolution, reach, ranks, report.ForPairs(ranks));
+    reach / this->Resolution, reach, ranks, report.ForSums(ranks));
 
   this->FillImage(map, modes, ranks, outputs);
   vtkImageData* image = vtkImageData::GetData(outputs);

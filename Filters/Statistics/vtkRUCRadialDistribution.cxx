@@ -38,7 +38,7 @@ void vtkRUCRadialDistribution::Execute(
   const double overlap = this->CheckOverlap(pack.Share, false, ranks);
   const ruc::LagGrid lags = MeasuredLags::Find(this->MaximumLag, this->NumberOfLags, pack.Share);
   const ruc::RadialDistribution distribution =
-    ruc::MeasureRadialDistribution(pack.Share, lags, ranks, report.ForPairs(ranks));
+    ruc::MeasureRadialDistribution(pack.Share, lags, ranks, report.ForSums(ranks));
 
   vtkTable* table = vtkTable::GetData(outputs);
   if (ranks.Rank() == 0)

@@ -284,7 +284,14 @@ ruc::TwoPointProbability vtkRUCThreePointProbability::MeasureTwoPoint(
 {
   if (exact)
   {
-    return ruc::SumPairs(pack.Share, lags, ranks, report.ForPairs(ranks));
+    // A stop is one of the throws, and keeps what these have told
+    const std::function<void(double)> tell = report.ForPairs(ranks);
+    return ruc::SumPairs(pack.Share, lags, ranks,
+      [&](double done)
+      {
+        tell(done);
+        return true;
+      });
   }
   ruc::SamplingSettings settings;
   settings.Seed = this->GetCheckedSeed();

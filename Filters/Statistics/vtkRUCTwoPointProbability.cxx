@@ -111,7 +111,7 @@ ruc::SampledTwoPoint vtkRUCTwoPointProbability::Measure(const ruc::PackShare& sh
       return ruc::SampleTemplate(
         share.Own, modes, *region, lags, this->GetSettings(true), ranks, progress);
     default: // the exact method, which has no errors
-      return { ruc::SumPairs(share, lags, ranks, report.ForPairs(ranks)), {}, {}, {}, 0, 0.0,
+      return { ruc::SumPairs(share, lags, ranks, report.ForSums(ranks)), {}, {}, {}, 0, 0.0,
         false };
   }
 }

@@ -93,7 +93,7 @@ public:
 
   // S_rs x V for pairs of modes, in the layout of the sums
   std::vector<double> Sum(const std::vector<Vector3>& directions, std::size_t first,
-    std::size_t count, Communicator& ranks, const std::function<void(double)>& progress) const
+    std::size_t count, Communicator& ranks, const SumProgress& progress) const
   {
     Components n;
     for (std::size_t d = first; d < first + count; ++d)
@@ -103,14 +103,14 @@ public:
       n.Z.push_back(directions[d][2]);
     }
     const std::size_t size = (count + 1) * this->SumsOfDirection();
-    const auto part = [&](double done) { progress((first + done * count) / directions.size()); };
-    const std::vector<std::int64_t> sums =
-      this->Pairs.Sum(size, ranks, progress ? std::function<void(double)>(part) : nullptr,
-        [&](std::size_t begin, std::size_t end, std::int64_t* own)
-        {
-          std::vector<double> along(count), across2(count);
-          this->Add(begin, end, n, along.data(), across2.data(), own);
-        });
+    const auto part = [&](double done)
+    { return !progress || progress((first + done * count) / directions.size()); };
+    const std::vector<std::int64_t> sums = this->Pairs.Sum(size, ranks, part,
+      [&](std::size_t begin, std::size_t end, std::int64_t* own)
+      {
+        std::vector<double> along(count), across2(count);
+        this->Add(begin, end, n, along.data(), across2.data(), own);
+      });
     std::vector<double> values(size);
     for (std::size_t v = 0; v < size; ++v)
     {
@@ -225,7 +225,7 @@ void CheckDirections(const std::vector<Vector3>& directions, int modes, const La
 }
 
 DirectionalProbability SumPairsAlong(const PackShare& share, const std::vector<Vector3>& directions,
-  const LagGrid& lags, Communicator& ranks, const std::function<void(double)>& progress)
+  const LagGrid& lags, Communicator& ranks, const SumProgress& progress)
 {
   CheckNumberOfLags(share.NumberOfModes(), lags);
   LagLimit::ForPairSum(share.Observed, share.LargestRadius).Check(lags);

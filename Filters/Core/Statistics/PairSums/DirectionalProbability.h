@@ -5,9 +5,9 @@
 #include "ruc/Base/Communicator.h"
 #include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/PackShare.h"
+#include "ruc/Statistics/PairSums/SumRounds.h"
 #include "ruc/Statistics/Results/TwoPointProbability.h"
 
-#include <functional>
 #include <vector>
 
 namespace ruc
@@ -40,14 +40,14 @@ struct DirectionalProbability
  * of the largest sphere's volume for a pair).
  *
  * The result is equal, bit by bit, on every rank and for any number of ranks and threads.
- * `progress` is told the share that is done, on the calling thread. Collective.
+ * Throws where `progress` says to stop. Collective.
  *
  * Throws std::invalid_argument, the same on every rank, for lags that SumPairs would refuse, for no
  * directions or some that are not of length 1, and for more than 5e7 numbers (directions x pairs of
  * phases x lags).
  */
 DirectionalProbability SumPairsAlong(const PackShare& share, const std::vector<Vector3>& directions,
-  const LagGrid& lags, Communicator& ranks, const std::function<void(double)>& progress = {});
+  const LagGrid& lags, Communicator& ranks, const SumProgress& progress = {});
 
 /**
  * Returns the mean over the directions, each with the same weight, of the functions and of the

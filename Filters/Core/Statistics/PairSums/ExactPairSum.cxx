@@ -229,7 +229,7 @@ private:
 
 template <class Method>
 TwoPointProbability SumBy(const Method& method, const PackShare& share, const LagGrid& lags,
-  const WeightedPairs& pairs, Communicator& ranks, const std::function<void(double)>& progress)
+  const WeightedPairs& pairs, Communicator& ranks, const SumProgress& progress)
 {
   const std::vector<std::int64_t> sums = pairs.Sum(method.Size(), ranks, progress,
     [&](std::size_t begin, std::size_t end, std::int64_t* own) { method.Add(begin, end, own); });
@@ -249,8 +249,8 @@ TwoPointProbability SumBy(const Method& method, const PackShare& share, const La
 }
 }
 
-TwoPointProbability SumPairs(const PackShare& share, const LagGrid& lags, Communicator& ranks,
-  const std::function<void(double)>& progress)
+TwoPointProbability SumPairs(
+  const PackShare& share, const LagGrid& lags, Communicator& ranks, const SumProgress& progress)
 {
   CheckNumberOfLags(share.NumberOfModes(), lags);
   LagLimit::ForPairSum(share.Observed, share.LargestRadius).Check(lags);

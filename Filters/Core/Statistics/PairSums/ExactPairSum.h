@@ -5,9 +5,8 @@
 #include "ruc/Base/Communicator.h"
 #include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/PackShare.h"
+#include "ruc/Statistics/PairSums/SumRounds.h"
 #include "ruc/Statistics/Results/TwoPointProbability.h"
-
-#include <functional>
 
 namespace ruc
 {
@@ -27,13 +26,13 @@ namespace ruc
  * every pair.
  *
  * The result is equal, bit by bit, on every rank and for any number of ranks and threads.
- * `progress` is told the share that is done, on the calling thread. Collective.
+ * Throws where `progress` says to stop. Collective.
  *
  * Throws std::invalid_argument, the same on every rank, for a number of lags out of range
  * (CheckNumberOfLags) and for lags that LagLimit::ForPairSum refuses.
  */
 TwoPointProbability SumPairs(const PackShare& share, const LagGrid& lags, Communicator& ranks,
-  const std::function<void(double)>& progress = {});
+  const SumProgress& progress = {});
 
 /** The same for one rank that holds the whole pack, in any order. */
 TwoPointProbability SumPairs(const SpherePack& pack, const Window& window, const LagGrid& lags);

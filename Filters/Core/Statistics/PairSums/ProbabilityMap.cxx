@@ -244,19 +244,20 @@ public:
 
   // Returns the sums of the centres of this rank, two limbs for each voxel (WideValue), image after
   // image
-  std::vector<std::int64_t> Sum(const std::function<void(double)>& progress) const
+  std::vector<std::int64_t> Sum(Communicator& ranks, const SumProgress& progress) const
   {
     std::vector<std::int64_t> sums(2 * this->Grid.Size() * this->NumberOfImages, 0);
     // Every thread goes through all pairs and takes slices of its own, so that no thread needs
     // another image
+    SumRounds rounds(this->Share.NumberOfSpheres, ranks, progress);
 #pragma omp parallel
-    this->SumSlices(omp_get_thread_num(), omp_get_num_threads(), progress, sums);
+    this->SumSlices(omp_get_thread_num(), omp_get_num_threads(), rounds, sums);
+    rounds.RequireEnd();
     return sums;
   }
 
 private:
-  void SumSlices(int first, int stride, const std::function<void(double)>& progress,
-    std::vector<std::int64_t>& sums) const
+  void SumSlices(int first, int stride, SumRounds& rounds, std::vector<std::int64_t>& sums) const
   {
     const int slices = this->Grid.Half + 1;
     const int ownSlices = first < slices ? (slices - 1 - first) / stride + 1 : 0;
@@ -264,14 +265,14 @@ private:
     FixedPointSums own(ownSize * this->NumberOfImages);
     Ball ball(2.0 * this->Share.LargestRadius / this->Spacing, this->Grid);
     const std::size_t centres = ownSlices > 0 ? this->Weighted.Pairs.Size() : 0;
-    for (std::size_t begin = 0; begin < centres; begin += this->Weighted.Step)
+    for (int round = 0; rounds.GoOn(round); ++round)
     {
-      const std::size_t end = std::min(begin + this->Weighted.Step, centres);
-      this->AddCentres(
-        begin, end, { own.Take(this->Weighted.Terms), first, stride, ownSize }, ball);
-      if (progress && first == 0)
+      const std::size_t last = rounds.Begin(round + 1, centres);
+      for (std::size_t begin = rounds.Begin(round, centres); begin < last;
+           begin += this->Weighted.Step)
       {
-        progress(double(end) / centres);
+        this->AddCentres(begin, std::min(begin + this->Weighted.Step, last),
+          { own.Take(this->Weighted.Terms), first, stride, ownSize }, ball);
       }
     }
     const std::vector<std::int64_t>& wide = own.Finish();
@@ -356,14 +357,15 @@ std::vector<double> WholeImage(const std::array<int, 2>& pair, const HalfGrid& g
 }
 
 ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int, 2>>& pairs,
-  double spacing, double reach, Communicator& ranks, const std::function<void(double)>& progress)
+  double spacing, double reach, Communicator& ranks, const SumProgress& progress)
 {
   CheckMap(share, pairs, spacing, reach);
   const HalfGrid grid = { static_cast<int>(reach / spacing * (1.0 + 1e-12)) };
   const double cube = grid.Half * spacing, rim = 2.0 * share.LargestRadius;
   const SizeClasses classes(share.Own.Radius, std::sqrt(3.0) * cube, 1.0, ranks);
   const WeightedPairs weighted(share, classes, ranks, "Spacing x Resolution", cube, rim);
-  std::vector<std::int64_t> sums = MapSums(share, weighted, pairs, grid, spacing).Sum(progress);
+  std::vector<std::int64_t> sums =
+    MapSums(share, weighted, pairs, grid, spacing).Sum(ranks, progress);
   ranks.Sum(sums.data(), sums.size());
 
   ProbabilityMap map = { { grid.Half, grid.Half, grid.Half }, spacing, pairs, {} };

@@ -5,10 +5,10 @@
 #include "ruc/Base/Communicator.h"
 #include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/PackShare.h"
+#include "ruc/Statistics/PairSums/SumRounds.h"
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace ruc
@@ -45,15 +45,14 @@ struct ProbabilityMap
  * / spacing) along all axes.
  *
  * The result is equal, bit by bit, on every rank and for any number of ranks and threads.
- * `progress` is told the share that is done, on the calling thread. Collective.
+ * Throws where `progress` says to stop. Collective.
  *
  * Throws std::invalid_argument, the same on every rank, for no pairs or pairs of phases that do not
  * exist, for a spacing or reach that is not finite and > 0, for a reach above LagLimit::ForMap or a
  * spacing below its finest, and for more than 5e7 numbers (voxels x pairs).
  */
 ProbabilityMap MapPairs(const PackShare& share, const std::vector<std::array<int, 2>>& pairs,
-  double spacing, double reach, Communicator& ranks,
-  const std::function<void(double)>& progress = {});
+  double spacing, double reach, Communicator& ranks, const SumProgress& progress = {});
 
 /**
  * What MapPairs takes for `pairs` pairs of phases, with `resolution` voxels from the centre to a

@@ -19,8 +19,8 @@ int RadialDistribution::PairOf(int r, int s) const
   return low * this->Modes - low * (low - 1) / 2 + std::max(r, s) - low;
 }
 
-RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGrid& lags,
-  Communicator& ranks, const std::function<void(double)>& progress)
+RadialDistribution MeasureRadialDistribution(
+  const PackShare& share, const LagGrid& lags, Communicator& ranks, const SumProgress& progress)
 {
   const int modes = share.NumberOfModes();
   CheckNumberOfLags(modes, lags);

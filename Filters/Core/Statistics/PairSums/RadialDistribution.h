@@ -5,9 +5,9 @@
 #include "ruc/Base/Communicator.h"
 #include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/PackShare.h"
+#include "ruc/Statistics/PairSums/SumRounds.h"
 #include "ruc/Statistics/Results/TwoPointProbability.h"
 
-#include <functional>
 #include <vector>
 
 namespace ruc
@@ -40,13 +40,13 @@ struct RadialDistribution
  * is NaN where N is 0.
  *
  * The result is equal, bit by bit, on every rank and for any number of ranks and threads.
- * `progress` is told the share that is done, on the calling thread. Collective.
+ * Throws where `progress` says to stop. Collective.
  *
  * Throws std::invalid_argument, the same on every rank, for a number of lags out of range
  * (CheckNumberOfLags) and for lags that LagLimit::ForDistances refuses.
  */
 RadialDistribution MeasureRadialDistribution(const PackShare& share, const LagGrid& lags,
-  Communicator& ranks, const std::function<void(double)>& progress = {});
+  Communicator& ranks, const SumProgress& progress = {});
 
 /** What MeasureRadialDistribution takes. */
 Estimate EstimateRadialDistribution(const PackFigures& pack, const LagGrid& lags);

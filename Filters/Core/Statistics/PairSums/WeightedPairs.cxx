@@ -15,6 +15,7 @@ WeightedPairs::WeightedPairs(const PackShare& share, const SizeClasses& classes,
   , Rim(rim)
   , Volume(share.Observed.Volume())
   , Periodic(share.Observed.IsFullyPeriodic())
+  , Spheres(share.NumberOfSpheres)
 {
   double heaviest = 1.0;
   if (!this->Periodic)
@@ -42,6 +43,7 @@ WeightedPairs::WeightedPairs(const PackShare& share, const SizeClasses& classes,
   , Rim(1.0)
   , Volume(share.Observed.Volume())
   , Periodic(share.Observed.IsFullyPeriodic())
+  , Spheres(share.NumberOfSpheres)
 {
   this->FindScale(heaviest, ranks, property);
 }

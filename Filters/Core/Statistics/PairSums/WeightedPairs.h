@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ruc/Statistics/PairSums/SumRounds.h"
 #include "ruc/Base/FixedPointSums.h"
 #include "ruc/Particles/PackFigures.h"
 #include "ruc/Particles/PairNeighbourhood.h"
@@ -76,38 +77,40 @@ public:
 
   /**
    * Returns `size` numbers summed over the own centres of all ranks, two limbs each (WideValue).
-   * add(begin, end, sums) adds those of the places [begin, end), on any thread. `progress` is told
-   * the share that is done, on the calling thread. Collective.
+   * add(begin, end, sums) adds those of the places [begin, end), on any thread. Throws where
+   * `progress` says to stop. Collective.
    */
   template <class Add>
-  std::vector<std::int64_t> Sum(std::size_t size, Communicator& ranks,
-    const std::function<void(double)>& progress, Add&& add) const
+  std::vector<std::int64_t> Sum(
+    std::size_t size, Communicator& ranks, const SumProgress& progress, Add&& add) const
   {
     constexpr std::size_t chunkOfCentres = 64;
     std::vector<std::int64_t> sums(2 * size, 0);
     const std::size_t centres = this->Pairs.Size();
     const std::int64_t chunks =
       static_cast<std::int64_t>((centres + chunkOfCentres - 1) / chunkOfCentres);
+    SumRounds rounds(this->Spheres, ranks, progress);
 #pragma omp parallel
     {
       FixedPointSums own(size);
-#pragma omp for schedule(dynamic) nowait
-      for (std::int64_t chunk = 0; chunk < chunks; ++chunk)
+      for (int round = 0; rounds.GoOn(round); ++round)
       {
-        const std::size_t end = std::min((chunk + 1) * chunkOfCentres, centres);
-        for (std::size_t i = chunk * chunkOfCentres; i < end; i += this->Step)
+#pragma omp for schedule(dynamic)
+        for (std::int64_t chunk = rounds.Begin(round, chunks);
+             chunk < rounds.Begin(round + 1, chunks); ++chunk)
         {
-          add(i, std::min(i + this->Step, end), own.Take(this->Terms));
-        }
-        if (progress && omp_get_thread_num() == 0)
-        {
-          progress(double(chunk) / chunks);
+          const std::size_t end = std::min((chunk + 1) * chunkOfCentres, centres);
+          for (std::size_t i = chunk * chunkOfCentres; i < end; i += this->Step)
+          {
+            add(i, std::min(i + this->Step, end), own.Take(this->Terms));
+          }
         }
       }
       const std::vector<std::int64_t>& wide = own.Finish();
 #pragma omp critical
       std::transform(wide.begin(), wide.end(), sums.begin(), sums.begin(), std::plus<>());
     }
+    rounds.RequireEnd();
     ranks.Sum(sums.data(), sums.size());
     return sums;
   }
@@ -118,6 +121,7 @@ private:
   Window Observed;
   double Cube, Rim, Volume;
   bool Periodic;
+  std::int64_t Spheres; // on all ranks
 };
 
 /** The seconds that it takes to find a pair and hand it out by ForEach. */

@@ -293,8 +293,13 @@ TEST(DirectionalProbability, ManyLagsAndDirections)
   const std::vector<Vector3> directions = ruc::EvenDirections(60);
   std::vector<double> told;
   ruc::Communicator serial;
-  const ruc::DirectionalProbability all = ruc::SumPairsAlong(ruc::SharePack(pack, box), directions,
-    lags, serial, [&](double done) { told.push_back(done); });
+  const ruc::DirectionalProbability all =
+    ruc::SumPairsAlong(ruc::SharePack(pack, box), directions, lags, serial,
+      [&](double done)
+      {
+        told.push_back(done);
+        return true;
+      });
   for (int d : { 0, 25, 26, 59 })
   {
     EXPECT_TRUE(all.Values[d].Values == Along(pack, box, { directions[d] }, lags).Values[0].Values);

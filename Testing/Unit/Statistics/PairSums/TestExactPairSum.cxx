@@ -449,7 +449,12 @@ TEST(ExactPairSum, ProgressRises)
   ruc::Communicator serial;
   omp_set_num_threads(1);
   std::vector<double> told;
-  ruc::SumPairs(share, { 0.2, 20 }, serial, [&](double done) { told.push_back(done); });
+  ruc::SumPairs(share, { 0.2, 20 }, serial,
+    [&](double done)
+    {
+      told.push_back(done);
+      return true;
+    });
   ASSERT_GT(told.size(), 4u);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_GE(told.front(), 0.0);
