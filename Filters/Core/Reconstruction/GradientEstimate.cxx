@@ -12,7 +12,7 @@ StageLengths::StageLengths(int maximum, bool withNeighbours)
   if (withNeighbours)
   {
     this->First = static_cast<int>(std::ceil(0.6 * maximum));
-    this->OfLattice = static_cast<int>(std::ceil(0.3 * maximum));
+    this->WithNeighbours = static_cast<int>(std::ceil(0.9 * maximum));
   }
 }
 
@@ -31,7 +31,7 @@ Estimate EstimateGradientSearch(
     terms += neighbours.SpectrumWeight > 0.0 ? EstimateSpectrumTerm(cell) : Estimate();
     terms += neighbours.ThirdOrderWeight > 0.0 ? EstimateThirdOrderTerm(cell, settings.ThirdOrder)
                                                : Estimate();
-    estimate.Seconds += lengths.WithNeighbours() * terms.Seconds;
+    estimate.Seconds += lengths.WithNeighbours * terms.Seconds;
     estimate.MegabytesOfRank += terms.MegabytesOfRank;
   }
   estimate += EstimateDenseStart(cell);

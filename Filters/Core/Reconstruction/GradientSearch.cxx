@@ -209,9 +209,9 @@ private:
 
   bool StageIsOver() const
   {
-    const double iterations = this->State.Descent.Iterations - this->State.Before;
+    const int iterations = this->State.Descent.Iterations - this->State.Before;
     const StageLengths lengths = this->Lengths();
-    return iterations >= (this->WithNeighbours() ? lengths.WithNeighbours() : lengths.First);
+    return iterations >= (this->WithNeighbours() ? lengths.WithNeighbours : lengths.First);
   }
 
   // A dense cell adds the neighbours between its soft contacts and the multipliers
@@ -234,12 +234,12 @@ private:
     this->MeasureBest();
   }
 
-  // What is minimised is then another function
+  // What is minimised is then another function, but of nearly the same curvature
   void MoveLattice()
   {
     this->Objective->MoveLattice(++this->State.Lattice);
     this->State.Kept = std::numeric_limits<double>::max();
-    this->ForgetDescent();
+    this->State.Descent.Gradient.clear();
     this->RoundEnds = true;
   }
 
@@ -405,8 +405,8 @@ private:
     const EndReason endedBy =
       this->Dense ? this->AfterDenseIteration(descent) : this->AfterLooseIteration(iterations);
     const int since = descent.Iterations - this->State.Before;
-    if (this->WithNeighbours() && endedBy == EndReason::None && since > 0 &&
-      since % this->Lengths().OfLattice == 0)
+    if (this->WithNeighbours() && this->Settings.Neighbours.HasPores() &&
+      endedBy == EndReason::None && since > 0 && since % IterationsOfLattice == 0)
     {
       this->MoveLattice();
     }

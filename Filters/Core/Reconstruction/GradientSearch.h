@@ -54,21 +54,25 @@ constexpr double LeastProgress = 1e-3;
  * far, for a search that is stopped or whose last cell cannot be freed.
  */
 constexpr int IterationsBetweenKept = 100;
+/**
+ * After this many iterations the lattice of the pores moves. A descent fits the points of one
+ * lattice in a hundred iterations, which then tell nothing of the pores between them.
+ */
+constexpr int IterationsOfLattice = 20;
+
 /** The most iterations of the stages of a search. */
 struct StageLengths
 {
   /**
    * `maximum` is GradientSearchSettings::MaximumIterations. Without further terms it is all there
-   * is; otherwise 0.6 of it come before them, and 0.3 with each lattice of the pores.
+   * is; otherwise 0.6 of it come before them, and 0.9 of it with them.
    */
   StageLengths(int maximum, bool withNeighbours);
 
   int First;
-  int OfLattice = 0;
-  static constexpr int Lattices = 3; // one after the other
+  int WithNeighbours = 0;
 
-  double WithNeighbours() const { return double(Lattices) * this->OfLattice; }
-  double All() const { return this->First + this->WithNeighbours(); }
+  double All() const { return double(this->First) + this->WithNeighbours; }
 };
 
 /**
@@ -83,10 +87,10 @@ double FirstStepOf(const CellContents& contents);
  * L-BFGS on F2 with an overlap penalty, and removes the last overlap exactly.
  *
  * With GradientSearchSettings::Neighbours the search then goes on with F2 and these terms
- * together (SearchObjective), with one lattice of the pores after the other; the best cell is
- * that with the least sum. F0 is half of F2 as the first
- * descent left it. The first descent ends at 0.8 of the target objective, and the search at the
- * target once all misfits are at most 1 as well.
+ * together (SearchObjective), with another lattice of the pores every IterationsOfLattice; the best
+ * cell is that with the least sum. F0 is half of F2 as the first descent left it. The first descent
+ * ends at 0.8 of the target objective, and the search at the target once all misfits are at most 1
+ * as well.
  *
  * A dense cell begins with a pack by events (MakeDensePack). L-BFGS descends first with soft
  * contacts, then with multipliers (ContactMultipliers), and every cell that is kept is freed by

@@ -78,7 +78,7 @@ double SearchObjective::ValueOf(double twoPoint, const NeighbourMisfits& misfits
 
 NeighbourMisfits SearchObjective::Worths() const
 {
-  constexpr double shareOfStiff = 0.2; // found on the example pack
+  constexpr double shareOfStiff = 0.05; // found on the example pack
   const double stiff = shareOfStiff * this->Reference;
   NeighbourMisfits worth;
   worth.Gaps = worth.Nearest = stiff * this->Neighbours.ContactWeight;

@@ -56,12 +56,12 @@ struct NeighbourTarget
  * From BeginNeighbours on it is
  *
  *     L = F2 + penalty or multipliers +
- *         F0 ((contact weight (gaps + nearest) + pore weight pores) / 5 +
+ *         F0 ((contact weight (gaps + nearest) + pore weight pores) / 20 +
  *             spectrum weight spectrum + third-order weight third order),
  *
  * where the misfits are those of ContactTerm, PoreTerm, SpectrumTerm and ThirdOrderTerm. The
  * reference F0 is the F2 that one unit of a misfit is worth. Near neighbours and pores, which are
- * hundreds of units off at first and stiff, come as near with a fifth of it, in half the time. All
+ * hundreds of units off at first and stiff, come near enough with a twentieth of it. All
  * ranks get the same bits.
  */
 class SearchObjective
