@@ -25,11 +25,12 @@ three_point = pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5
 of_cell = pv.TwoPointProbability(Input=cell, MaximumLag=5, NumberOfLags=20)
 comparison = pv.CompareProbabilities(Input=two_point, Cell=of_cell)
 report = pv.CompareWithPack(Input=modes, Cell=cell)
+study = pv.CellSizeStudy(Input=modes, Sizes=[20, 30], NumberOfCells=1, NumberOfLags=20, MaximumIterations=5)
 replicas = pv.PeriodicReplicas(Input=cell)
 mesh = pv.PeriodicMesh(Input=cell)
 particles = pv.ParticlesFromImage(Input=pv.LabelImage(Input=modes, Dimensions=[40, 40, 40], VolumeFractions=1), ImageArray="VolumeFraction",
                                   Residual=1)
-filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, cell, three_point, of_cell, comparison, report, replicas, mesh, particles]
+filters = [reader, modes, one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, cell, three_point, of_cell, comparison, report, study, replicas, mesh, particles]
 
 runs = {}
 
@@ -66,7 +67,7 @@ render = pv.CreateView("RenderView", ViewSize=[300, 200])
 displays = [pv.Show(source, render) for source in (reader, modes, cell, replicas)]
 pv.Show(labels, render)
 pv.Render(render)
-for source in (one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, effective, three_point, of_cell, comparison, report, mesh, particles):
+for source in (one_point, two_point, directions, of_pairs, chords, radial, neighbours, voids, third_order, effective, three_point, of_cell, comparison, report, study, mesh, particles):
     source.UpdatePipeline()
 check("the first outputs")
 

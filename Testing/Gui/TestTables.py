@@ -59,6 +59,7 @@ sources = [modes, two_point, cell,
            pv.ThreePointProbability(Input=modes, Phases="m m m", MaximumLag=5, NumberOfLags=4, NumberOfThrows=100),
            pv.CompareProbabilities(Input=two_point, Cell=of_cell),
            pv.CompareWithPack(Input=modes, Cell=cell),
+           pv.CellSizeStudy(Input=modes, Sizes=[20, 30], NumberOfCells=2, NumberOfLags=8, MaximumIterations=5),
            pv.PeriodicMesh(Input=cell),
            pv.PeriodicReplicas(Input=cell)]
 missing = {name for name in names_of("filters") if is_ours(name)} - {source.SMProxy.GetXMLName() for source in sources}

@@ -30,7 +30,7 @@ constexpr int PoreSteps = 8;
 constexpr int ChordSteps = 16; // of a mean diameter
 
 constexpr int ChordBlocks = 27; // about as many of a pack
-constexpr int LinesOfWhole = 16000;
+constexpr int LinesOfWhole = 8000;
 constexpr int LinesOfPart = 1000;
 
 class Measurement
