@@ -30,7 +30,7 @@ FORMULAS = {
     'filters.VoidDistances': 'δ(x) = min |x − c_i| − r_i',
     'filters.UnitCellReconstruction': 'h_c³ = (4 π / 3) Σ n_i² r_i⁶ / Σ c_i n_i r_i³ (equation 12)',
     'filters.CompareProbabilities': 'E = Σ ‖S_rs pack − S_rs cell‖ / Σ (‖S_rs pack‖ + ‖S_rs cell‖) / 2 × 100 % (17)',
-    'filters.CellSizeStudy': 'Z = (Cell − Pack) / √(Pack_error² + Cell_deviation² / number of cells)',
+    'filters.CellSizeStudy': 'LeastSize = min { n : |Z| ≤ 2 for every descriptor at n and at every larger size }',
     'filters.CompareWithPack': 'Z = (Cell − Pack) / √(Pack_error² + Cell_deviation² / number of cells)',
     'filters.LabelImage': 'W(a, b) = (R³ atan2(R z, a b) + a b z) / 3',
     'filters.ParticleModes': '(Σ d³ / N)^(1/3)',
