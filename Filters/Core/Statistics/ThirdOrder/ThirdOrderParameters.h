@@ -37,10 +37,12 @@ struct ThirdOrderIntegrals
  * is about 0.002 of zeta and 0.01 of eta at R = 8 a. The angles of a ThreePointGrid with an even
  * number of directions are the nodes of the Clenshaw-Curtis rule, which integrates P_2 and P_4 to
  * 0, so that the term with S_2 drops out. The error of 20 directions is as small for zeta at R = 8
- * a and grows beyond; eta of dense spheres is 1 to 2 % off, and within 0.5 % by 40 directions. Over
+ * a and grows beyond; eta of dense spheres is 2 % lower by them than by 40. Over
  * the lags, functions are bilinear. What that misses near r1 = r2 = 0, where S_3 has the kink of
  * |r1 u - r2 v|, is linear in the lag spacing, and is taken out by extrapolation from every lag and
- * every second lag.
+ * every second lag. Spheres that nearly touch have features of the width of their gaps: of equal
+ * spheres at 0.55, lags of 0.2, 0.1 and 0.05 radii give 0.47, 0.88 and 1.00 of zeta, and 0.86, 1.00
+ * and 1.00 of eta.
  */
 class ThirdOrderRule
 {
