@@ -115,10 +115,10 @@ Chunk MakeChunk(const SpherePack& spheres, const VoxelGrid& grid, int first, int
 
 std::vector<int> WantedPlanes(const CellSlab& slab)
 {
-  std::vector<int> planes;
+  std::vector<int> planes(slab.VoxelPlanes());
   for (int n = 0; n < slab.VoxelPlanes(); ++n)
   {
-    planes.push_back(slab.SourceOf(2, slab.PlaneOf(n)));
+    planes[n] = slab.SourceOf(2, slab.PlaneOf(n));
   }
   std::sort(planes.begin(), planes.end());
   planes.erase(std::unique(planes.begin(), planes.end()), planes.end());

@@ -215,6 +215,7 @@ std::vector<std::vector<double>> FourierTransform::ProductPlanes(
   const std::size_t own = this->NumberOfColumns(this->Rank);
   const std::size_t numbers = std::size_t(this->Size[2]) * Lanes;
   std::vector<std::vector<double>> planes;
+  planes.reserve(lags.Ranks);
   for (int rank = 0; rank < lags.Ranks; ++rank)
   {
     planes.emplace_back(lags.Size(rank) * 2 * own);
