@@ -105,6 +105,19 @@ def of_third_order():
     assert '%.6g' % taken == '%.6g' % cut_off, (taken, cut_off)
 
 
+def of_properties():
+    """Twice the voxels along an edge take eight times as long and as much memory, and stiffness more than conductivity."""
+    pack = make_pack()
+    box = {'BoxSize': [10, 10, 10], 'BoxPeriodic': [1, 1, 1], 'Method': 'Solver', 'SecondResolution': 0}
+    seconds, megabytes = estimate(EffectiveProperties(Input=pack, Resolution=64, **box))
+    twice = estimate(EffectiveProperties(Input=pack, Resolution=128, **box))
+    assert 6 < twice[0] / seconds < 9 and 5 < twice[1] / megabytes < 9, (seconds, megabytes, twice)
+    stiff = estimate(EffectiveProperties(Input=pack, Resolution=64, Property='Elasticity', **box))
+    assert stiff[0] > 3 * seconds and stiff[1] > 2 * megabytes, (seconds, megabytes, stiff)
+    for bad in ({'Resolution': 1}, {'Tolerance': 0.0}, {'Fields': 4}, {'MatrixConductivity': 0.0}, {'WindowSize': [20, 1, 1]}):
+        assert estimate(EffectiveProperties(Input=pack, **{**box, **bad}))[0] == 0.0, bad
+
+
 def of_neighbours():
     """More gaps by pair of modes take more memory, more points more time, and the automatic distance is said."""
     pack = make_pack()
@@ -189,4 +202,4 @@ def shared_by_ranks():
     assert fetch(TwoPointProbability(Input=spread, MaximumLag=1.0)).GetNumberOfRows() == 278
 
 
-run((without_a_run, automatic_values, of_third_order, of_neighbours, spheres_told, from_a_table, nothing_to_go_by, shared_by_ranks))
+run((without_a_run, automatic_values, of_third_order, of_properties, of_neighbours, spheres_told, from_a_table, nothing_to_go_by, shared_by_ranks))
