@@ -3,6 +3,7 @@
 // Effective properties are the same on any number of ranks; what is refused and what is told
 #include "Equality.h"
 #include "Refusals.h"
+#include "Stops.h"
 
 #include "vtkRUCEffectiveProperties.h"
 
@@ -217,4 +218,40 @@ TEST(EffectiveRefusals, WhatIsNotSolvedIsTold)
     ExpectParts(warnings.Texts[0], { "the smallest radius, 0.4, has 0.4 voxels" });
     ExpectParts(warnings.Texts[1], { "not solved to the Tolerance", "in 1 iterations" });
   }
+}
+
+// The bounds are whole, and what was solved lies above what it would have been
+TEST(EffectiveProperties, KeepWhatTheyHaveWhereStopped)
+{
+  const auto run = [](bool stopped)
+  {
+    auto filter = vtkSmartPointer<Effective>::New();
+    filter->SetResolution(24);
+    filter->SetSecondResolution(16);
+    filter->SetInputData(MakePolyData(FewSizes(), Edge, true, IsMine));
+    const Warnings warnings(filter);
+    if (stopped)
+    {
+      const StopAt stop(filter, 3);
+      filter->Update();
+      filter->RemoveAllObservers();
+      return filter;
+    }
+    filter->Update();
+    return filter;
+  };
+  const auto whole = run(false), part = run(true);
+  if (Rank() > 0)
+  {
+    return;
+  }
+  const auto table = [](Effective* filter)
+  { return vtkTable::SafeDownCast(filter->GetOutputDataObject(Effective::PROPERTIES)); };
+  vtkFieldData* fields = part->GetOutputDataObject(Effective::PROPERTIES)->GetFieldData();
+  EXPECT_EQ(fields->GetAbstractArray("EndedBy")->GetVariantValue(0).ToString(), "Stopped");
+  ASSERT_EQ(table(part)->GetNumberOfRows(), 7);
+  EXPECT_EQ(table(part)->GetValueByName(6, "ThirdOrderUpper").ToDouble(),
+    table(whole)->GetValueByName(6, "ThirdOrderUpper").ToDouble());
+  EXPECT_GT(table(part)->GetValueByName(6, "Solver").ToDouble(),
+    table(whole)->GetValueByName(6, "Solver").ToDouble());
 }
