@@ -115,7 +115,7 @@ def print_table(table, args):
     for contrast in args.contrasts:
         error = 100.0 * table[f"k_{contrast:g}_error"][0] / table[f"k_{contrast:g}"][0]
         print(f"\nA cell of {args.particles} spheres has the conductivity of the pack at a contrast of {contrast:g} but for "
-              f"{table[f'Percent_{contrast:g}'][-1]:+.1f} %, with a standard error of {error:.1f} % of the pack; "
+              f"{table[f'Percent_{contrast:g}'][-1]:+.2f} %, with a standard error of {error:.2f} % of the pack's; "
               f"a random cell differs by {table[f'Percent_{contrast:g}'][1]:+.1f} %.")
 
 
