@@ -132,11 +132,13 @@ ruc::MeshSettings vtkRUCPeriodicMesh::MakeSettings() const
 {
   ruc::Range::AtLeast(0.0).Check("ElementSize", this->ElementSize);
   ruc::Range::AtLeast(0.0).Check("LeastGap", this->LeastGap);
+  ruc::Range::From(0.0, 1000.0).Check("ImprovementRounds", this->ImprovementRounds);
   ruc::Range::AtLeast(0.0).Check("Seed", this->Seed);
   ruc::MeshSettings settings;
   settings.ElementSize = this->ElementSize;
   settings.ContactRings = this->ContactRings;
   settings.ShiftOrigin = this->ShiftOrigin;
+  settings.ImprovementRounds = this->ImprovementRounds;
   settings.LeastGap = this->LeastGap;
   settings.Seed = static_cast<std::uint32_t>(this->Seed);
   return settings;
@@ -206,6 +208,7 @@ void vtkRUCPeriodicMesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ElementSize: " << this->ElementSize << "\n";
   os << indent << "ContactRings: " << this->ContactRings << "\n";
   os << indent << "ShiftOrigin: " << this->ShiftOrigin << "\n";
+  os << indent << "ImprovementRounds: " << this->ImprovementRounds << "\n";
   os << indent << "LeastGap: " << this->LeastGap << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
 }

@@ -68,6 +68,14 @@ public:
   vtkGetMacro(ShiftOrigin, bool);
   ///@}
   ///@{
+  /**
+   * The most rounds in which points move until no tetrahedron is flatter than 162 degrees, 0 to
+   * 1000. Default: 10.
+   */
+  vtkSetMacro(ImprovementRounds, int);
+  vtkGetMacro(ImprovementRounds, int);
+  ///@}
+  ///@{
   /** The least gap between spheres that is taken. Default: 0, for any above 0. */
   vtkSetMacro(LeastGap, double);
   vtkGetMacro(LeastGap, double);
@@ -95,6 +103,7 @@ private:
   double ElementSize = 0.0;
   bool ContactRings = true;
   bool ShiftOrigin = true;
+  int ImprovementRounds = 10;
   double LeastGap = 0.0;
   int Seed = 0;
 };

@@ -22,6 +22,8 @@ struct MeshSettings
   bool ShiftOrigin = true;
   /** The least gap between surfaces that is taken, >= 0. */
   double LeastGap = 0.0;
+  /** Rounds of moving points and turning edges against flat tetrahedra, 0 to 1000. */
+  int ImprovementRounds = 10;
   /** The seed of the shifts, of turns and of small displacements of points. */
   std::uint32_t Seed = 0;
 };

@@ -4,6 +4,7 @@
 
 #include "ruc/Base/Text.h"
 #include "ruc/Meshing/LatticePoints.h"
+#include "ruc/Meshing/MeshImprovement.h"
 #include "ruc/Meshing/MeshPoints.h"
 #include "ruc/Meshing/SurfacePoints.h"
 
@@ -106,6 +107,7 @@ PeriodicMesh MeshShiftedCell(
   const std::vector<GridPoint> grid = RoundToGrid(mesh.Points, { 0, 0, 0 }, mesh.Edge);
   AddMatrix(points, grid, mesh);
   AddParticles(points, grid, mesh);
+  ImproveMesh(mesh, settings.ImprovementRounds, ofAttempt.Seed);
   return mesh;
 }
 }

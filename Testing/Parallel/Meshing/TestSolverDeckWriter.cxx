@@ -41,6 +41,7 @@ vtkSmartPointer<Mesh> MeshOf(bool onAllRanks)
 {
   auto mesh = vtkSmartPointer<Mesh>::New();
   mesh->SetElementSize(1.5);
+  mesh->SetImprovementRounds(0);
   if (!onAllRanks)
   {
     mesh->SetController(nullptr);
