@@ -7,6 +7,8 @@
 
 #include <omp.h>
 
+#include <random>
+
 namespace
 {
 using ruc::NeighbourhoodMultipoles;
@@ -136,6 +138,65 @@ TEST(ShellMultipoles, ProductsAreSumsOverPairsByTheirAngle)
     }
     EXPECT_NEAR(products[shells.GetSettings().PlaceOf(0, 1, l, 1, 2)], sum, 1e-8);
   }
+}
+
+// Centres without any order around one: the pairs of two of them add the product of the means, for
+// l = 0, and each with itself density (2 l + 1) / (4 pi) int C_l(n1) C_l(n2) d^2 dd
+TEST(ShellMultipoles, RandomOverlappingSpheresHaveThePairSum)
+{
+  const ShellMultipoles shells({ { 0.2, 0.9, 1.7 }, 6, 1 });
+  const ruc::ShellSettings& settings = shells.GetSettings();
+  constexpr double radius = 0.8, density = 0.3, half = 3.6; // none beyond the box reaches a shell
+  constexpr int packs = 4000;
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> place(-half, half);
+  std::poisson_distribution<int> number(density * std::pow(2.0 * half, 3));
+  std::vector<double> sums(settings.NumberOfProducts(), 0.0), squares = sums;
+  for (int n = 0; n < packs; ++n)
+  {
+    std::vector<ShellMultipoles::Neighbour> around(number(random));
+    for (ShellMultipoles::Neighbour& sphere : around)
+    {
+      const ruc::Vector3 centre = { place(random), place(random), place(random) };
+      const double d = ruc::Length(centre);
+      sphere = { { centre[0] / d, centre[1] / d, centre[2] / d }, d, radius, 0 };
+    }
+    const std::vector<double> products = ProductsOf(shells, around);
+    for (std::size_t k = 0; k < products.size(); ++k)
+    {
+      sums[k] += products[k] / packs;
+      squares[k] += products[k] * products[k] / packs;
+    }
+  }
+  const double ball = density * 4.0 / 3.0 * ruc::Pi * std::pow(radius, 3);
+  const auto cap = [&](int l, double d, int n)
+  {
+    const double rho = 1.0 + settings.Distances[n];
+    return Cap(l, std::clamp((d * d + rho * rho - radius * radius) / (2.0 * d * rho), -1.0, 1.0));
+  };
+  double worst = 0.0;
+  for (int l : { 0, 1, 3, 6 })
+  {
+    for (const auto& [n1, n2] : { std::pair(0, 0), std::pair(0, 1), std::pair(1, 2) })
+    {
+      constexpr int steps = 400;
+      constexpr double step = half / steps;
+      double integral = 0.0;
+      for (int k = 0; k < steps; ++k)
+      {
+        const double d = (k + 0.5) * step;
+        integral += step * d * d * cap(l, d, n1) * cap(l, d, n2);
+      }
+      // A point lies in so many spheres on average, on any shell
+      const double expected =
+        (l == 0 ? ball * ball : 0.0) + density * (2 * l + 1) / (4.0 * ruc::Pi) * integral;
+      const std::size_t at = settings.PlaceOf(0, 0, l, n1, n2);
+      const double error = std::sqrt((squares[at] - sums[at] * sums[at]) / packs);
+      EXPECT_NEAR(sums[at], expected, 4.0 * error) << l << " " << n1 << " " << n2;
+      worst = std::max(worst, error / std::abs(sums[at]));
+    }
+  }
+  EXPECT_LT(worst, 0.1) << "the errors are small beside what they are errors of";
 }
 
 TEST(ShellMultipoles, ForcesAreSlopes)
