@@ -15,10 +15,10 @@ double ShapeOf(const Vector3& a, const Vector3& b, const Vector3& c, const Vecto
 
 /**
  * Improves the worst tetrahedra of a mesh, in rounds, as long as there are some worse than an angle
- * of 162 degrees: their corners move to where the worst tetrahedron around them gets better, freely,
- * or along the sphere, plane, circle or edge that they lie on, with their copies. What is connected
- * stays so, and every volume above 0 stays above 0. The result depends on the mesh and the seed
- * alone.
+ * of 162 degrees: their corners move to where the worst tetrahedron around them gets better,
+ * freely, or along the sphere, plane, circle or edge that they lie on, with their copies. What is
+ * connected stays so, and every volume above 0 stays above 0. The result depends on the mesh and
+ * the seed alone.
  *
  * Source: Freitag and Ollivier-Gooch, Int. J. Numer. Meth. Engng. 40, 3979 (1997).
  */
