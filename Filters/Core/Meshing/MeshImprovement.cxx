@@ -15,7 +15,7 @@ namespace
 {
 constexpr double GoodShape = 0.31;     // the sine of 162 degrees
 constexpr double WorthOfMove = 1.01;   // less gain is none
-constexpr double ReachOnSurface = 0.5; // of the shortest edge
+constexpr double ReachOnSurface = 1.0; // of the shortest edge
 constexpr double WorthOfRound = 0.95;
 constexpr int DirectionsOfMove = 12;
 constexpr double StepsOfMove[] = { 0.3, 0.1, 0.03 }; // of the shortest edge
