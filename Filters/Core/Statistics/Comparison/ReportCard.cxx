@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 namespace ruc
 {
@@ -82,6 +83,7 @@ void AddFunctions(const std::vector<PackDescriptors>& packs,
   const std::vector<PackDescriptors>& cells, bool fitted, ReportCard& card)
 {
   std::vector<TwoPointProbability> sums;
+  sums.reserve(packs.size());
   for (const PackDescriptors& pack : packs)
   {
     sums.push_back(pack.Sums);
@@ -174,9 +176,9 @@ std::string ReportCard::Verdict() const
   {
     if (!(std::abs(row.Z) <= MostZ))
     {
-      char z[32];
-      std::snprintf(z, sizeof z, "%+.1f", row.Z);
-      others += Text(others.empty() ? "; not in: " : ", ", row.Name, " (Z ", z, ")");
+      std::ostringstream z;
+      z << std::showpos << std::fixed << std::setprecision(1) << row.Z;
+      others += Text(others.empty() ? "; not in: " : ", ", row.Name, " (Z ", z.str(), ")");
     }
   }
   return Text("Representative within the pack's own error in ", this->Within(), " of ",

@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ruc/Statistics/Results/OneMedium.h"
-
-#include "ruc/Base/Text.h"
-
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
 #include <numeric>
+#include <sstream>
 
 namespace ruc
 {
@@ -150,15 +148,14 @@ std::vector<LayerTest> TestLayers(const TaperedBlocks& blocks, const std::vector
 
 std::string LayerTest::Describe() const
 {
-  char text[200];
-  std::snprintf(text, sizeof text,
-    "Along %s the fraction of the particles goes from %.4f to %.4f, with layers from %.4f to %.4f, "
-    "more than their scatter explains (%.1f standard deviations).",
-    this->Axis == "axis"       ? "the axis"
-      : this->Axis == "radius" ? "the radius"
-                               : this->Axis.c_str(),
-    this->First, this->Last, this->Least, this->Most, this->Deviate);
-  return text;
+  const bool named = this->Axis == "axis" || this->Axis == "radius";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(4) << "Along " << (named ? "the " : "") << this->Axis
+       << " the fraction of the particles goes from " << this->First << " to " << this->Last
+       << ", with layers from " << this->Least << " to " << this->Most
+       << ", more than their scatter explains (" << std::setprecision(1) << this->Deviate
+       << " standard deviations).";
+  return text.str();
 }
 
 std::string DescribeFailures(const std::vector<LayerTest>& tests)
