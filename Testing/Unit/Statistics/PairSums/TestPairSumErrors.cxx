@@ -302,6 +302,22 @@ std::string Failures(const ruc::SpherePack& pack, const Window& window)
 }
 }
 
+// A layer at a wall raises S_m_m at long lags above c_m squared; it counts where it is more than 3
+// % and more than three standard errors
+TEST(PairSumErrors, LayersAtWallsAreTold)
+{
+  ruc::TwoPointProbability sums(1, { 1.0, 2 });
+  sums.Fractions = { 0.6, 0.4 };
+  ruc::TwoPointErrors errors;
+  errors.Values.assign(3, std::vector<double>(3, 0.001));
+  sums.S(1, 1)[2] = 0.16 + 0.004;
+  EXPECT_EQ(ruc::DescribeWalls(sums, errors), "");
+  sums.S(1, 1)[2] = 0.16 + 0.008;
+  EXPECT_EQ(ruc::DescribeWalls(sums, errors).find("At the last lag S_m_m is 0.168"), 0u);
+  errors.Values[sums.PairOf(1, 1)][2] = 0.003;
+  EXPECT_EQ(ruc::DescribeWalls(sums, errors), "");
+}
+
 TEST(OneMedium, LayersAlongOneAxis)
 {
   const Window box = Cube(24.0, false);
