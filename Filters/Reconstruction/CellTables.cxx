@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <cmath>
 #include <algorithm>
 #include <limits>
 
@@ -122,6 +123,23 @@ void FillTableOfCells(const CellTables::Reconstruction& all, vtkTable* table)
   PackData::AddColumn(table, "EndedBy", endedBy);
 }
 
+// The first iteration at which F2 is at the floor and every other term that counts within the
+// pack's error; -1 where there is none
+int FindPackErrorIteration(const ruc::UnitCell& cell, const CellTables::Reconstruction& all)
+{
+  const bool withTerms =
+    !all.Settings.IsByPopulation() && !all.Settings.Gradient.Neighbours.Empty();
+  for (const ruc::SearchState& state : cell.Convergence)
+  {
+    const bool hasTerms = !withTerms || state.Phase == ruc::SearchPhase::FittingNeighbours;
+    if (hasTerms && state.Objective <= all.Floor && state.Misfits.Largest() <= 1.0)
+    {
+      return state.Iteration;
+    }
+  }
+  return -1;
+}
+
 void AddCellFields(
   vtkDataObject* data, const CellSearch::FoundCell& found, const CellTables::Reconstruction& all)
 {
@@ -141,6 +159,11 @@ void AddCellFields(
   number("StartObjective", cell.StartObjective);
   number("OnePointDifference",
     ruc::OnePointDifference(all.Contents, all.Target.Fractions, cell.Box.Size[0]));
+  if (!std::isnan(all.Floor))
+  {
+    number("ObjectiveFloor", all.Floor);
+    whole("PackErrorIteration", FindPackErrorIteration(cell, all));
+  }
   const ruc::NeighbourTarget& neighbours = all.Settings.Gradient.Neighbours;
   const ruc::NeighbourMisfits& misfits = cell.Convergence.back().Misfits;
   if (neighbours.HasContacts() || neighbours.HasPores())

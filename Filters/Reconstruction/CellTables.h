@@ -30,6 +30,7 @@ struct Reconstruction
   const ruc::CellContents& Contents;
   const ruc::TwoPointProbability& Target;
   const CellSearch::Settings& Settings;
+  double Floor; // the F2 between the pack and its medium, or NaN where it is not known
   std::string LengthUnit;
 };
 

@@ -14,6 +14,7 @@
 #include "ruc/Base/Require.h"
 #include "ruc/Particles/ParticleModes.h"
 #include "ruc/Statistics/PairSums/ExactPairSum.h"
+#include "ruc/Statistics/PairSums/PairSumErrors.h"
 #include "ruc/Statistics/Results/LagLimit.h"
 #include "ruc/Statistics/Results/TwoPointChecks.h"
 
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include <sys/stat.h>
 
@@ -241,8 +243,10 @@ void vtkRUCUnitCellReconstruction::Execute(
     vtkWarningMacro(<< "DiametersPerMode does not count, as a table of S_rs tells no diameters "
                        "within a mode: it requires a pack.");
   }
-  this->Reconstruct(
-    contents, target, this->Search, PackData::FindLengthUnit(table, ranks), outputs, ranks, report);
+  ruc::Require(!this->StopAtPackError, "StopAtPackError",
+    "a pack, as a table of S_rs tells no errors", "a table");
+  this->Reconstruct(contents, target, this->Search, std::numeric_limits<double>::quiet_NaN(),
+    PackData::FindLengthUnit(table, ranks), outputs, ranks, report);
 }
 
 void vtkRUCUnitCellReconstruction::Execute(
@@ -270,8 +274,33 @@ void vtkRUCUnitCellReconstruction::Execute(
     ruc::LagLimit::ForCell(contents.Edge).MakeGrid(this->Cell.MaximumLag, this->Cell.NumberOfLags);
   const ruc::TwoPointProbability target =
     ruc::SumPairs(pack.Share, lags, ranks, report.ForSums(ranks));
-  this->Reconstruct(
-    contents, target, this->FindSearch(pack.Share, ranks), pack.LengthUnit, outputs, ranks, report);
+  CellSearch::Settings search = this->FindSearch(pack.Share, ranks);
+  const double floor = this->FindFloor(pack.Share, target, ranks);
+  if (this->StopAtPackError)
+  {
+    double& end = search.Gradient.TargetObjective;
+    end = std::max(end, floor);
+  }
+  this->Reconstruct(contents, target, search, floor, pack.LengthUnit, outputs, ranks, report);
+}
+
+double vtkRUCUnitCellReconstruction::FindFloor(const ruc::PackShare& share,
+  const ruc::TwoPointProbability& target, RankCommunicator& ranks) const
+{
+  constexpr int blocks = 64;
+  try
+  {
+    return ruc::ObjectiveFloor(
+      target, ruc::FindPairSumErrors(share, target, blocks, ranks, "StopAtPackError"));
+  }
+  catch (const std::invalid_argument&)
+  {
+    if (this->StopAtPackError)
+    {
+      throw;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 CellSearch::Settings vtkRUCUnitCellReconstruction::FindSearch(
@@ -305,7 +334,7 @@ CellSearch::Settings vtkRUCUnitCellReconstruction::FindSearch(
 }
 
 void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents,
-  const ruc::TwoPointProbability& target, const CellSearch::Settings& search,
+  const ruc::TwoPointProbability& target, const CellSearch::Settings& search, double floor,
   const std::string& lengthUnit, vtkInformationVector* outputs, RankCommunicator& ranks,
   ProgressReport& report)
 {
@@ -329,7 +358,7 @@ void vtkRUCUnitCellReconstruction::Reconstruct(const ruc::CellContents& contents
   const std::vector<CellSearch::FoundCell> cells =
     CellSearch::Find(contents, target, search, callbacks, ranks);
   CellTables::FillOutputs(
-    { cells, contents, target, search, lengthUnit }, outputs, ranks.Rank() == 0);
+    { cells, contents, target, search, floor, lengthUnit }, outputs, ranks.Rank() == 0);
   if (ranks.Rank() == 0)
   {
     for (const std::string& warning : CellMessages::FindWarnings(cells, contents, search))
@@ -361,6 +390,7 @@ void vtkRUCUnitCellReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   CellSearch::Settings::VisitSearch(this->Search, print);
   print("CheckpointFile", this->Search.CheckpointFile);
   print("TimeLimit", this->TimeLimit);
+  print("StopAtPackError", this->StopAtPackError);
   print("StopFile", this->StopFile);
   ruc::GradientSearchSettings::VisitSearch(this->Search.Gradient, print);
   ruc::GradientSearchSettings::VisitEnd(this->Search.Gradient, print);

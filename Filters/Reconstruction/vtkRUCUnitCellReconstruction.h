@@ -164,6 +164,18 @@ public:
    * and pores, where they count, differ by no more than another pack's would; >= 0. Default: 0.
    */
   RUCSetting(TargetObjective, double, Search.Gradient.TargetObjective);
+  ///@{
+  /**
+   * Whether the search ends at the pack's own error: once F2 is at or below the F2 that is expected
+   * between the pack and its medium (ObjectiveFloor of Core/Statistics/PairSums/PairSumErrors.h, by
+   * 64 blocks), or at TargetObjective if that is more, and no misfit of the other terms that count
+   * is above 1. It requires a pack with room for eight blocks with edges of two mean diameters.
+   * Default: off. Field data `ObjectiveFloor` and `PackErrorIteration`, the first iteration of the
+   * best cell at which that was so, or -1, tell it in any case where the pack has room.
+   */
+  vtkSetMacro(StopAtPackError, bool);
+  vtkGetMacro(StopAtPackError, bool);
+  vtkBooleanMacro(StopAtPackError, bool);
   /**
    * What the near neighbours of the cell weigh beside F2, >= 0: the gaps of all neighbours and the
    * least gap of every sphere, against those of the pack. Gradient alone knows it, and only of a
@@ -301,9 +313,12 @@ private:
   // Returns a reason from outside why the search should end now; all but the time limit are known
   // only to rank 0
   ruc::EndReason FindStopReason(const ProgressReport& report, bool isFirstRank);
+  // The F2 between the pack and its medium, or NaN for a pack without room for blocks
+  double FindFloor(const ruc::PackShare& share, const ruc::TwoPointProbability& target,
+    RankCommunicator& ranks) const;
   // Searches, and fills the outputs
   void Reconstruct(const ruc::CellContents& contents, const ruc::TwoPointProbability& target,
-    const CellSearch::Settings& search, const std::string& lengthUnit,
+    const CellSearch::Settings& search, double floor, const std::string& lengthUnit,
     vtkInformationVector* outputs, RankCommunicator& ranks, ProgressReport& report);
   // Returns the settings with the near neighbours, pores and spectrum of the pack, where wanted
   CellSearch::Settings FindSearch(const ruc::PackShare& share, RankCommunicator& ranks);
@@ -312,6 +327,7 @@ private:
   CellSearch::Settings Search;
   int NumberOfOperatorWeights = ruc::NumberOfGeneticOperators; // how many were set
   double TimeLimit = 0.0;
+  bool StopAtPackError = false;
   std::string StopFile;
 };
 

@@ -69,6 +69,41 @@ TEST_P(CellEquality, WithNearNeighboursAndPores)
     });
 }
 
+TEST_P(CellEquality, ToThePackError)
+{
+  ExpectSame<Cell>(
+    [](Cell* f)
+    {
+      SmallCell(f);
+      f->SetStopAtPackError(true);
+    });
+}
+
+// A search that goes on tells where it would have ended
+TEST(PackError, EndsWhereTheOtherSearchWasWithin)
+{
+  const auto whole = MakePolyData(FewSizes(), Edge, true, [](std::size_t) { return true; });
+  const auto number = [](Cell* cell, const char* name)
+  {
+    vtkFieldData* fields = cell->GetOutputDataObject(0)->GetFieldData();
+    return fields->GetAbstractArray(name)->GetVariantValue(0).ToDouble();
+  };
+  vtkNew<Cell> ends, goesOn;
+  for (const auto& cell : { ends.Get(), goesOn.Get() })
+  {
+    cell->SetController(nullptr);
+    SmallCell(cell);
+    cell->SetStopAtPackError(cell == ends.Get());
+    cell->SetInputData(whole);
+    cell->Update();
+    EXPECT_GE(number(cell, "PackErrorIteration"), 1.0);
+    EXPECT_LE(number(cell, "Objective"), number(cell, "ObjectiveFloor"));
+  }
+  EXPECT_EQ(number(ends, "ObjectiveFloor"), number(goesOn, "ObjectiveFloor"));
+  EXPECT_LT(number(ends, "Iterations"), number(goesOn, "Iterations"));
+  EXPECT_GE(number(ends, "Iterations"), number(goesOn, "PackErrorIteration"));
+}
+
 TEST_P(MethodEquality, Gradient)
 {
   this->ExpectSameCells(0);

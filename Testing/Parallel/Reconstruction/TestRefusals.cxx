@@ -93,3 +93,30 @@ TEST(CellRefusals, NegativeIterations)
   RefusesCell(
     { Name, "MaximumIterations requires", "got -1" }, [](Cell* f) { f->SetMaximumIterations(-1); });
 }
+
+// A cube of 3.5 has no room for eight blocks of two mean diameters, 1.05 each
+TEST(CellRefusals, NoRoomForThePackError)
+{
+  Refuses<Cell>({ Name, "StopAtPackError requires a window with room for 8 blocks" },
+    { [](ruc::SpherePack& pack)
+      {
+        ruc::SpherePack few;
+        for (std::size_t i = 0; i < pack.Size(); ++i)
+        {
+          if (std::max({ pack.X[i], pack.Y[i], pack.Z[i] }) < 3.5)
+          {
+            few.Append(pack, i);
+          }
+        }
+        pack = few;
+        pack.Mode.assign(pack.Size(), 1);
+      },
+      {}, {}, 3.5 },
+    false,
+    [](Cell* f)
+    {
+      Briefly(f);
+      f->SetStopAtPackError(true);
+      f->SetMaximumLag(1.0);
+    });
+}
