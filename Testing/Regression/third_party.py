@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) Representative Unit Cell plugin developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Packs made by others: periodic packs with ghost copies, whose packing fraction their makers state."""
+"""Packs made by others: periodic packs with ghost copies, whose packing fraction their makers state, and a histogram of contacts."""
+import collections
+import math
 import os
 import sys
 
@@ -41,3 +43,34 @@ for name, rows, ghosts, fraction, digits in (('Sph1896_pack.out', 1896, 396, 1 -
     start = servermanager.Fetch(cell, idx=1).GetValueByName(1, 'OverlapPercent').ToDouble()
     assert start > 0 or field(data, 'Objective') <= field(data, 'StartObjective')
     print('  cell: F2', field(data, 'Objective'), 'overlap', field(data, 'OverlapPercent'), '%')
+
+
+# A pack of LIGGGHTS with the histogram of its contacts by its maker, who counts j as a contact of i where d < 1.005 r_i + r_j and leaves
+# out the last bin, a bead with 18. All these pairs have gaps up to 0.005.
+reader = SpherePackReader(FileName=os.path.join(folder, 'azamat', 'test.particles'), BoxOrigin=[-0.05] * 3, BoxSize=[0.6, 0.6, 2])
+neighbours = NeighbourStatistics(Input=ParticleModes(Input=reader, NumberOfModes=1), ContactTolerance=0.005, WindowMargin=0)
+neighbours.UpdatePipeline()
+pack, contacts = (servermanager.Fetch(neighbours, idx=port) for port in (0, 1))
+radii = pack.GetPointData().GetArray('Radius')
+centres = [pack.GetPoint(i) for i in range(pack.GetNumberOfPoints())]
+WIDTH = 1e-4  # less than half a bead, so that a place has one bead or none
+places = {tuple(int(x // WIDTH) for x in centre): i for i, centre in enumerate(centres)}
+
+
+def bead_at(point):
+    place = [int(x // WIDTH) for x in point]
+    near = (places.get((place[0] + i, place[1] + j, place[2] + k)) for i in (-1, 0, 1) for j in (-1, 0, 1) for k in (-1, 0, 1))
+    return next(i for i in near if i is not None and math.dist(centres[i], point) < 1e-8)
+
+
+counts = [0] * len(centres)
+for line in range(contacts.GetNumberOfCells()):
+    ids = contacts.GetCell(line).GetPointIds()
+    i, j = (bead_at(contacts.GetPoint(ids.GetId(end))) for end in (0, 1))
+    distance, a, b = math.dist(centres[i], centres[j]), radii.GetValue(i), radii.GetValue(j)
+    counts[i] += distance < 1.005 * a + b
+    counts[j] += distance < 1.005 * b + a
+with open(os.path.join(folder, 'azamat', 'test_CN.csv'), encoding='utf-8') as file:
+    expected = {int(row.split()[-2]): int(row.split()[-1]) for row in list(file)[1:] if row.strip()}
+assert collections.Counter(counts) == {**expected, 18: 1}, collections.Counter(counts)
+print('azamat:', sum(counts), 'contacts as its maker counts them')
