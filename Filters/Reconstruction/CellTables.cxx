@@ -13,8 +13,8 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace
