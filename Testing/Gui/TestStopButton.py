@@ -12,11 +12,12 @@ import traceback
 from paraview.simple import *
 
 LIMIT = 60  # in seconds; without the button the search ends by this
+FAR = 0.1   # F2 is below only where a search has been at work for a while
 ENDED_BY = {"Stop": "Stop button", "Abort": "Abort"}[os.environ["RUC_BUTTON"]]
 
 
 def tell_when_better():
-    """Makes the file once the F2 that the search tells has fallen to half of what it told first."""
+    """Makes the file once the F2 that the search tells has fallen to half of what it told first, or far, where the first was told late."""
     handler = servermanager.ActiveConnection.Session.GetProgressHandler()
     told = []
 
@@ -24,7 +25,7 @@ def tell_when_better():
         value = re.search(r"^Unit Cell Reconstruction: .*\[F2 = ([^,]+),", handler.GetLastProgressText() or "")
         if value:
             told.append(float(value[1]))
-            if told[-1] < told[0] / 2:
+            if told[-1] < max(told[0] / 2, FAR):
                 open(os.environ["RUC_BETTER"], "w").close()
 
     return handler, handler.AddObserver("ProgressEvent", on_progress)
