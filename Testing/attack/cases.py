@@ -24,7 +24,7 @@ LENGTHS = [0, 1, 2, 9, 30, 5000]  # the lengths of lists
 # These values keep a good case at milliseconds. A property that is not named here and is a larger whole number than 50 is set to 10.
 SMALL = {'NumberOfLines': [200], 'NumberOfThrows': [200], 'MaximumIterations': [2], 'MaximumGenerations': [2], 'Population': [8], 'MatingPool': [4],
          'HybridPopulation': [8], 'HybridMatingPool': [4], 'RefinementSteps': [2], 'NumberOfParticles': [20], 'CheckpointInterval': [0.0],
-         'Resolution': [4], 'SurfaceResolution': [8], 'NumberOfSpheres': [40]}
+         'Resolution': [4], 'SecondResolution': [0], 'SurfaceResolution': [8], 'NumberOfSpheres': [40]}
 
 
 # The good input of a proxy, where it is not the good one of its kind

@@ -150,6 +150,11 @@ ReportCard MakeReportCard(const std::vector<PackDescriptors>& packs,
   {
     AddFunctions(packs, cells, fitted[static_cast<int>(DescriptorKind::TwoPoint)], card);
   }
+  // Where neither pack nor cells have an error, such as one of pores that are never so wide, none
+  // is known
+  card.Rows.erase(std::remove_if(card.Rows.begin(), card.Rows.end(),
+                    [](const ReportRow& row) { return !std::isfinite(row.Z); }),
+    card.Rows.end());
   return card;
 }
 
